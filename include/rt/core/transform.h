@@ -1,0 +1,60 @@
+// Affine maps, and the pair of them that places an object in the world.
+#pragma once
+
+#include "rt/core/bounds.h"
+#include "rt/core/ray.h"
+#include "rt/core/vec.h"
+
+namespace rt {
+
+/// p -> linear p + translation. `linear` is column-major, as GLM's matrices are.
+struct Affine {
+    Mat3 linear{1.0};
+    Vec3 translation{0.0};
+
+    Vec3 point(const Vec3& p) const { return linear * p + translation; }
+    Vec3 vector(const Vec3& v) const { return linear * v; }
+    bool isFinite() const;
+    bool isIdentity() const;
+
+    static Affine translate(const Vec3& by);
+    static Affine scale(const Vec3& by);
+    /// Right-handed turn about axis 0 = x, 1 = y, 2 = z; exact at multiples of 90 degrees.
+    static Affine rotate(int axis, double degrees);
+};
+
+/// The map that applies `first`, then `second`.
+Affine compose(const Affine& second, const Affine& first);
+
+/// How an object lies in the world. Only invertible maps make a Transform.
+class Transform {
+  public:
+    Transform() = default;
+
+    /// False where the map or its inverse is singular or not finite; `out` is then untouched.
+    [[nodiscard]] static bool make(const Affine& toWorld, Transform& out);
+
+    const Affine& toWorld() const { return toWorld_; }
+    const Affine& toObject() const { return toObject_; }
+    bool isIdentity() const { return identity_; }
+    /// A mirroring map, of negative determinant.
+    bool flips() const { return flips_; }
+
+    /// The ray in object space; t means the same point on both.
+    Ray toObject(const Ray& world) const;
+    /// An object-space normal, of any length, as a unit normal of the world.
+    Vec3 normalToWorld(const Vec3& normal) const;
+    /// A box that contains the image of `object`, roundings included.
+    Bounds boundsToWorld(const Bounds& object) const;
+    /// Bound on the world-space distance between the image of a point and its computed image,
+    /// when the object-space point is off by at most `objectError`.
+    double errorToWorld(const Vec3& objectPoint, double objectError) const;
+
+  private:
+    Affine toWorld_;
+    Affine toObject_;
+    bool identity_ = true;
+    bool flips_ = false;
+};
+
+}  // namespace rt
