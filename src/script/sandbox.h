@@ -1,0 +1,29 @@
+// What a script may do: Lua's libraries, cut down to the scene's folder and to what gives the same
+// result in every run. Documentation/scripting_cage.md is the description for users.
+#pragma once
+
+#include "lua_state.h"
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct SandboxSettings {
+    std::string sceneFolder = ".";  ///< what io.open, require, dofile and loadfile see
+    bool trust = false;             ///< everything standard; fixed orders and seeds stay
+    bool printToStderr = false;     ///< print, io.write and io.stdout write to stderr
+};
+
+/// Opens the libraries. Once for each state, before it runs anything.
+void openSandbox(LuaState& state, const SandboxSettings& settings);
+
+/// The folder of a script file, as SandboxSettings wants it; "-" gives the current folder.
+std::string sceneFolderOf(const std::string& scriptPath);
+
+/// The files that scripts read so far: the script, modules, io.open; resolved, each once.
+const std::vector<std::string>& filesRead(lua_State* state);
+/// Adds to filesRead: for assets.
+void noteFileRead(lua_State* state, const std::string& resolvedPath);
+
+}  // namespace rt
