@@ -1,0 +1,24 @@
+// Finished pixels, on their way into a file.
+#pragma once
+
+#include "rt/core/vec.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace rt {
+
+/// Image values in rows from left to right, the top row first: 0 is black, 1 is full, more is
+/// allowed. Every value must be finite.
+struct PixelImage {
+    int width = 0;
+    int height = 0;
+    std::vector<Color> pixels;
+
+    const Color& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+
+}  // namespace rt
