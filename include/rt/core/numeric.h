@@ -20,6 +20,15 @@ constexpr double gamma(int n) {
     return n * kUnitRoundoff / (1.0 - n * kUnitRoundoff);
 }
 
+/// Surfaces closer than so many roundings of the coordinates are one surface: a face that two solids
+/// share is computed through two transforms, each off by some tens of roundings, and is seen as
+/// close to edge on as 1 : 100. Secondary rays start this far off their surface.
+inline constexpr double kCoincidence = 4096 * kUnitRoundoff;
+
+/// Bound on the error of the dot product of two vectors that were normalised in double: each is off
+/// by at most 4 roundings (three of a length, one of the division), the product itself by 3.
+inline constexpr double kUnitDotError = gamma(11);
+
 /// a b - c d with an error of at most 1.5 roundings of the result, without cancellation
 /// (Kahan's difference of products; Jeannerod, Louvet, Muller, Math. Comp. 82, 2013).
 inline double differenceOfProducts(double a, double b, double c, double d) {
@@ -27,5 +36,75 @@ inline double differenceOfProducts(double a, double b, double c, double d) {
     const double error = std::fma(-c, d, cd);
     return std::fma(a, b, -cd) + error;
 }
+
+/// The rounded result of an operation, and what its rounding left out: value + error is exact.
+struct TwoTerms {
+    double value;
+    double error;
+};
+
+/// a + b (Knuth, The Art of Computer Programming 2, 1969, section 4.2.2, theorem C).
+inline TwoTerms exactSum(double a, double b) {
+    const double sum = a + b;
+    const double b2 = sum - a;
+    return {sum, (a - (sum - b2)) + (b - b2)};
+}
+
+inline TwoTerms exactDifference(double a, double b) {
+    return exactSum(a, -b);
+}
+
+/// a b, while nothing underflows.
+inline TwoTerms exactProduct(double a, double b) {
+    const double product = a * b;
+    return {product, std::fma(a, b, -product)};
+}
+
+/// Between 1 / kOrdinaryLength and kOrdinaryLength, a product of eight lengths neither overflows nor
+/// loses digits to underflow (2^800 < 2^1022); solids and directions outside are rescaled first.
+inline constexpr double kOrdinaryLength = 0x1p100;
+
+/// A direction whose part across an axis is below this fraction of its length moves less than a
+/// rounding sideways along any solid that is not 2^200 times as long as wide: it is parallel.
+inline constexpr double kParallelSine = 0x1p-260;
+
+/// The stretch of a line in which a torus is looked for is this much wider than R + r (that it is
+/// thousands of roundings is what lets the signs at its ends be known without looking).
+inline constexpr double kTorusSlack = 0x1p-40;
+
+/// Halley's iteration cubes the relative error: a step below this leaves less than a rounding.
+inline constexpr double kTorusHandover = 0x1p-18;
+
+/// Bisection alone would need 64 steps to run out of doubles.
+inline constexpr int kTorusMaxSteps = 80;
+
+/// Added to rho^2, so that a quotient by rho is finite on the axis; far below any rounding.
+inline constexpr double kTorusAxisGuard = 0x1p-400;
+
+/// Below this the line meets the axis as far as doubles can tell, and cubes would underflow.
+inline constexpr double kTorusSmallestMoment = 0x1p-900;
+
+// --- single-precision boxes (accel) ---
+
+/// Bound on the relative error of rounding a double to float, outwards.
+inline constexpr double kFloatRounding = 0x1p-23;
+
+/// How far the planes of boxes are moved outwards, in units of half the extent of their tree.
+/// A slab test there (origin within 4 of the centre, parameter below 6, slopes below 2) is off by at
+/// most 30 roundings to float, 2^-24 each: 4 for the origin, 12 for the slope, 5 for its reciprocal,
+/// 4 for the product with the origin, 5 for the result; twice that.
+inline constexpr double kBoxPad = 0x1p-18;
+
+/// Slopes below this count as this: the ray moves by less than 2^-37 within the tree, and reaches a
+/// plane that is kBoxPad away at a parameter beyond any within the tree.
+inline constexpr double kLeastSlope = 0x1p-40;
+
+/// Rounding in double of a ray's origin, relative to its distance: 2^7 roundings, more than any
+/// primitive's test makes before its hits lie on the ray again.
+inline constexpr double kOriginRounding = 0x1p-46;
+
+/// In surface() of a torus: rho is off by 2 roundings of at most R + r, rho - R by one more, the
+/// distance to the circle by 3 and its difference with r by 1, each of r; relative to R + r.
+inline constexpr double kTorusPointError = gamma(7);
 
 }  // namespace rt

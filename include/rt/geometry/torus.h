@@ -21,6 +21,11 @@ class Torus {
     Vec3 centre_;
     double major_;
     double minor_;
+    // Lengths are scaled by a power of two that makes the larger radius lie in [1/2, 1).
+    double unit_;
+    double perUnit_;
+    double scaledMajor_;
+    double scaledMinor_;
 };
 
 }  // namespace rt

@@ -1,0 +1,229 @@
+#include "rt/geometry/torus.h"
+
+#include "rt/core/numeric.h"
+#include "rt/math/portable.h"
+#include "torus_line.h"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+namespace rt {
+namespace {
+
+using torus::Line;
+using torus::Sample;
+using torus::Sheet;
+
+constexpr Index kOuterSheet = 0;
+constexpr Index kLemon = 1;
+
+/// Which s may be answered. Rounding is monotone: where the t of one s is out of range on one
+/// side, so are those of all s beyond.
+struct Window {
+    double tFoot;
+    double unit;
+    Interval range;
+
+    double t(double s) const { return std::fma(s, unit, tFoot); }
+    bool contains(double s) const { return range.contains(t(s)); }
+    bool endsBefore(double s) const { return !(t(s) < range.max); }
+    bool startsAfter(double s) const { return !(t(s) > range.min); }
+};
+
+/// Where between an outside and an inside sample the parabola through both, with the outside one's
+/// tangent, is zero.
+double parabolaRoot(const Sample& outside, const Sample& inside) {
+    const double width = inside.s - outside.s;
+    const double half = outside.slope / outside.rho;
+    const double bend = (inside.value - outside.value - 2.0 * half * width) / (width * width);
+    const double root = std::sqrt(std::max(0.0, half * half - outside.value * bend));
+    return outside.s + outside.value / (std::copysign(root, width) - half);
+}
+
+/// The first root in `window` of a stretch where sign * f is convex.
+bool nearestOnStretch(const Sheet& sheet, const Sample& low, const Sample& high, double sign,
+                      double middle, const Window& window, double& s) {
+    if (low.isOutside() != high.isOutside()) {
+        s = sheet.rootBetween(low, high,
+                              low.isOutside() ? parabolaRoot(low, high) : parabolaRoot(high, low));
+        return window.contains(s);
+    }
+    if (low.isOutside() != (sign > 0.0)) return false;
+    Sample dip;
+    if (!sheet.findDip(low, high, sign, middle, dip)) return false;
+    // The parabola that touches f at the dip.
+    const double bend = dip.bend / (dip.rho * dip.rho * dip.rho);
+    const double half = dip.slope / dip.rho;
+    const double root = std::sqrt(std::max(0.0, half * half - dip.value * bend));
+    if (!window.startsAfter(dip.s)) {
+        s = sheet.rootBetween(low, dip, dip.s - (half * sign + root) / (bend * sign));
+        if (window.contains(s)) return true;
+    }
+    s = sheet.rootBetween(dip, high, dip.s - (half * sign - root) / (bend * sign));
+    return window.contains(s);
+}
+
+/// Where the slopes of the chord's ends would meet zero, were f'' constant between them.
+double secantMinimum(const Sample& low, const Sample& high) {
+    const double a = low.slope * high.rho;
+    const double b = high.slope * low.rho;
+    return (low.s * b - high.s * a) / (b - a);
+}
+
+/// The first root in `window` between two samples outside the sheet.
+bool nearestOnSheet(const Sheet& sheet, const Sample& low, const Sample& high, const Window& window,
+                    double& s) {
+    const double halfWidth = sheet.concaveHalfWidth();
+    const double axis = halfWidth >= 0.0 ? sheet.nearestToAxis() : 0.0;
+    const double bendsDown = axis - halfWidth;
+    const double bendsUp = axis + halfWidth;
+    if (!(halfWidth >= 0.0 && bendsDown < high.s && bendsUp > low.s)) {
+        return nearestOnStretch(sheet, low, high, 1.0, secantMinimum(low, high), window, s);
+    }
+    Sample from = low;
+    if (bendsDown > low.s) {
+        from = sheet.sample(bendsDown);
+        if (!window.startsAfter(bendsDown) &&
+            nearestOnStretch(sheet, low, from, 1.0, secantMinimum(low, from), window, s)) {
+            return true;
+        }
+        if (window.endsBefore(bendsDown)) return false;
+    }
+    const Sample to = bendsUp < high.s ? sheet.sample(bendsUp) : high;
+    if (from.s < to.s && !window.startsAfter(to.s) &&
+        nearestOnStretch(sheet, from, to, -1.0, axis, window, s)) {
+        return true;
+    }
+    return to.s < high.s &&
+           nearestOnStretch(sheet, to, high, 1.0, secantMinimum(to, high), window, s);
+}
+
+/// Narrows [from, to] to where |f + s d| <= limit, one coordinate. A NaN, from a line in the very
+/// face, narrows nothing.
+void clipToSlab(double f, double d, double limit, double& from, double& to) {
+    const double perD = 1.0 / d;
+    const double a = (-limit - f) * perD;
+    const double b = (limit - f) * perD;
+    const double first = b < a ? b : a;
+    const double last = b < a ? a : b;
+    if (first > from) from = first;
+    if (last < to) to = last;
+}
+
+/// The angle of (x, y) in turns, in [0, 1).
+double turns(double y, double x) {
+    const double angle = portable::atan2(y, x) / (2.0 * std::numbers::pi);
+    const double positive = angle < 0.0 ? angle + 1.0 : angle;
+    return positive < 1.0 ? positive : 0.0;
+}
+
+}  // namespace
+
+Torus::Torus(const Vec3& centre, double majorRadius, double minorRadius)
+    : centre_(centre), major_(majorRadius), minor_(minorRadius) {
+    if (!(major_ > 0.0 && major_ < kInfinity && minor_ > 0.0 && minor_ < kInfinity)) {
+        std::ostringstream message;
+        message << "torus: the radii must be positive and finite, got major " << major_
+                << ", minor " << minor_;
+        throw std::invalid_argument(message.str());
+    }
+    int exponent = 0;
+    std::frexp(std::max(major_, minor_), &exponent);
+    unit_ = std::ldexp(1.0, exponent);
+    perUnit_ = std::ldexp(1.0, -exponent);
+    scaledMajor_ = major_ * perUnit_;
+    scaledMinor_ = minor_ * perUnit_;
+}
+
+Bounds Torus::bounds() const {
+    const double across = std::nextafter(major_ + minor_, kInfinity);
+    const Vec3 reach(across, across, minor_);
+    Bounds box{centre_ - reach, centre_ + reach};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = std::nextafter(box.min[axis], -kInfinity);
+        box.max[axis] = std::nextafter(box.max[axis], kInfinity);
+    }
+    return box;
+}
+
+bool Torus::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
+    const Vec3& d = ray.direction;
+    const double dd = std::fma(d.x, d.x, std::fma(d.y, d.y, d.z * d.z));
+    const TwoTerms qx = exactDifference(ray.origin.x, centre_.x);
+    const TwoTerms qy = exactDifference(ray.origin.y, centre_.y);
+    const TwoTerms qz = exactDifference(ray.origin.z, centre_.z);
+    const double along = std::fma(qx.value, d.x, std::fma(qy.value, d.y, qz.value * d.z));
+    const double tFoot = -along / dd;
+    const Vec3 foot((std::fma(tFoot, d.x, qx.value) + qx.error) * perUnit_,
+                    (std::fma(tFoot, d.y, qy.value) + qy.error) * perUnit_,
+                    (std::fma(tFoot, d.z, qz.value) + qz.error) * perUnit_);
+
+    const double outer = scaledMajor_ + scaledMinor_;
+    const double reach = outer + outer * kTorusSlack;
+    const double h = std::fma(foot.x, d.x, std::fma(foot.y, d.y, foot.z * d.z));
+    const double away = std::fma(foot.x, foot.x, std::fma(foot.y, foot.y, foot.z * foot.z));
+    const double chord = std::fma(h, h, dd * (reach * reach - away));
+    if (!(chord > 0.0)) return false;
+    const double root = std::sqrt(chord);
+    double from = (-h - root) / dd;
+    double to = (-h + root) / dd;
+    clipToSlab(foot.z, d.z, scaledMinor_ + outer * kTorusSlack, from, to);
+    const Window window{tFoot, unit_, range};
+    if (!(from < to) || window.startsAfter(to) || window.endsBefore(from)) return false;
+
+    const Line line(foot, d, dd);
+    const Sheet sheet(line, scaledMajor_, scaledMinor_);
+    const Sample low = sheet.sample(from);
+    const Sample high = sheet.sample(to);
+    const double hole = scaledMajor_ - scaledMinor_ - outer * kTorusSlack;
+    if (low.rho < hole && high.rho < hole) return false;
+    double s = 0.0;
+    bool found = nearestOnSheet(sheet, low, high, window, s);
+    Index part = kOuterSheet;
+    if (scaledMinor_ > scaledMajor_) {
+        const Sheet lemon(line, -scaledMajor_, scaledMinor_);
+        Window before = window;
+        if (found) before.range.max = window.t(s);
+        double inner = 0.0;
+        if (nearestOnSheet(lemon, lemon.sample(from), lemon.sample(to), before, inner)) {
+            s = inner;
+            part = kLemon;
+            found = true;
+        }
+    }
+    if (!found) return false;
+    hit.t = window.t(s);
+    hit.local = line.at(s) * unit_;
+    hit.part = part;
+    return true;
+}
+
+SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
+    // The lemon is the part of the tube beyond the axis: its meridian is seen from there.
+    const double side = hit.part == kLemon ? -1.0 : 1.0;
+    const Vec3 p = hit.local * perUnit_;
+    const double rho = std::sqrt(std::fma(p.x, p.x, p.y * p.y));
+    const double cosine = rho > 0.0 ? p.x / rho : 1.0;
+    const double sine = rho > 0.0 ? p.y / rho : 0.0;
+    const double radial = rho - side * scaledMajor_;
+    const double fromCircle = std::sqrt(std::fma(radial, radial, p.z * p.z));
+    const double outward = side / fromCircle;
+    const double turn = 2.0 * std::numbers::pi * unit_;
+
+    SurfacePoint at;
+    at.point = centre_ + hit.local;
+    const double residual = std::fabs(fromCircle - scaledMinor_);
+    const double inside = residual + kTorusPointError * (scaledMajor_ + scaledMinor_ + residual);
+    at.error = inside * unit_ +
+               gamma(2) * (std::fabs(at.point.x) + std::fabs(at.point.y) + std::fabs(at.point.z));
+    at.normal = outward * Vec3(cosine * radial, sine * radial, p.z);
+    at.shadingNormal = at.normal;
+    at.uv = Vec2(turns(p.y, p.x), turns(p.z, side * radial));
+    at.dpdu = turn * Vec3(-p.y, p.x, 0.0);
+    at.dpdv = turn * side * Vec3(-p.z * cosine, -p.z * sine, radial);
+    return at;
+}
+
+}  // namespace rt
