@@ -20,9 +20,9 @@ constexpr double gamma(int n) {
     return n * kUnitRoundoff / (1.0 - n * kUnitRoundoff);
 }
 
-/// Surfaces closer than so many roundings of the coordinates are one surface: a face that two solids
-/// share is computed through two transforms, each off by some tens of roundings, and is seen as
-/// close to edge on as 1 : 100. Secondary rays start this far off their surface.
+/// Surfaces closer than so many roundings of the coordinates are one surface: a face that two
+/// solids share is computed through two transforms, each off by some tens of roundings, and is seen
+/// as close to edge on as 1 : 100. Secondary rays start this far off their surface.
 inline constexpr double kCoincidence = 4096 * kUnitRoundoff;
 
 /// Bound on the error of the dot product of two vectors that were normalised in double: each is off
@@ -60,8 +60,9 @@ inline TwoTerms exactProduct(double a, double b) {
     return {product, std::fma(a, b, -product)};
 }
 
-/// Between 1 / kOrdinaryLength and kOrdinaryLength, a product of eight lengths neither overflows nor
-/// loses digits to underflow (2^800 < 2^1022); solids and directions outside are rescaled first.
+/// Between 1 / kOrdinaryLength and kOrdinaryLength, a product of eight lengths neither overflows
+/// nor loses digits to underflow (2^800 < 2^1022); solids and directions outside are rescaled
+/// first.
 inline constexpr double kOrdinaryLength = 0x1p100;
 
 /// A direction whose part across an axis is below this fraction of its length moves less than a
@@ -90,9 +91,9 @@ inline constexpr double kTorusSmallestMoment = 0x1p-900;
 inline constexpr double kFloatRounding = 0x1p-23;
 
 /// How far the planes of boxes are moved outwards, in units of half the extent of their tree.
-/// A slab test there (origin within 4 of the centre, parameter below 6, slopes below 2) is off by at
-/// most 30 roundings to float, 2^-24 each: 4 for the origin, 12 for the slope, 5 for its reciprocal,
-/// 4 for the product with the origin, 5 for the result; twice that.
+/// A slab test there (origin within 4 of the centre, parameter below 6, slopes below 2) is off by
+/// at most 30 roundings to float, 2^-24 each: 4 for the origin, 12 for the slope, 5 for its
+/// reciprocal, 4 for the product with the origin, 5 for the result; twice that.
 inline constexpr double kBoxPad = 0x1p-18;
 
 /// Slopes below this count as this: the ray moves by less than 2^-37 within the tree, and reaches a

@@ -1,0 +1,41 @@
+// Meshes and images, loaded once and shared by all that use them.
+#pragma once
+
+#include "rt/core/diagnostics.h"
+#include "rt/scene/scene_desc.h"
+#include "rt/trace/render_scene.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace rt {
+
+class AssetCache {
+  public:
+    explicit AssetCache(int threads) : threads_(threads) {}
+
+    /// Null for a mesh without triangles.
+    std::shared_ptr<const MeshShape> mesh(const MeshFileDesc& file, double smoothAngleDegrees,
+                                          Diagnostics& diagnostics);
+    /// `key` names the table within the run of one script.
+    std::shared_ptr<const MeshShape> mesh(const MeshTableDesc& table, Index key,
+                                          double smoothAngleDegrees, const SourceLocation& where,
+                                          Diagnostics& diagnostics);
+    std::shared_ptr<const Texture> image(const ImageDesc& image, bool flipV,
+                                         Diagnostics& diagnostics);
+
+    /// Forgets what came from a script's tables, not from files: before another script runs.
+    void forgetTables() { tables_.clear(); }
+
+  private:
+    std::shared_ptr<const MeshShape> withTree(TriangleMesh mesh) const;
+
+    int threads_;
+    std::map<std::pair<std::string, double>, std::shared_ptr<const MeshShape>> files_;
+    std::map<std::pair<Index, double>, std::shared_ptr<const MeshShape>> tables_;
+    std::map<std::pair<std::string, bool>, std::shared_ptr<const Texture>> images_;
+};
+
+}  // namespace rt

@@ -1,0 +1,32 @@
+// What the pixels of an area have gathered.
+#pragma once
+
+#include "rt/render/tiles.h"
+#include "rt/trace/trace_kernel.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace rt {
+
+/// Row-major pixels of `area`, in coordinates of the whole image.
+struct Film {
+    explicit Film(const Tile& filmArea)
+        : area(filmArea),
+          pixels(static_cast<std::size_t>(filmArea.width()) *
+                 static_cast<std::size_t>(filmArea.height())) {}
+
+    PixelState& at(int x, int y) { return pixels[offset(x, y)]; }
+    const PixelState& at(int x, int y) const { return pixels[offset(x, y)]; }
+
+    Tile area;
+    std::vector<PixelState> pixels;
+
+  private:
+    std::size_t offset(int x, int y) const {
+        return static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.width()) +
+               static_cast<std::size_t>(x - area.x0);
+    }
+};
+
+}  // namespace rt

@@ -1,0 +1,92 @@
+// The compiled scene: flat, built once, then only read.
+#pragma once
+
+#include "rt/accel/mesh_tree.h"
+#include "rt/accel/wide_tree.h"
+#include "rt/core/transform.h"
+#include "rt/geometry/box.h"
+#include "rt/geometry/cone.h"
+#include "rt/geometry/cylinder.h"
+#include "rt/geometry/sphere.h"
+#include "rt/geometry/torus.h"
+#include "rt/geometry/triangle_mesh.h"
+#include "rt/shading/light.h"
+#include "rt/shading/material.h"
+#include "rt/shading/texture.h"
+#include "rt/trace/camera.h"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace rt {
+
+/// A mesh with its tree, held once however often it is placed.
+struct MeshShape {
+    TriangleMesh mesh;
+    MeshTree tree;
+};
+
+using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>>;
+
+/// What a surface does with light, all of it resolved.
+struct Look {
+    Material material;
+    std::shared_ptr<const Texture> texture;  ///< replaces material.diffuse where there is one
+    std::shared_ptr<const Texture> bump;
+    double reflectionOwnWeight = 1.0;  ///< weight of the own colour beside the mirror image
+    double refractionOwnWeight = 1.0;  ///< weight of the own colour beside what shines through
+    double index = 1.0;
+    bool reflects = false;
+    bool refracts = false;
+    bool fresnel = false;
+};
+
+/// One object in the world.
+struct Instance {
+    Transform transform;
+    Index shape = 0;
+    Index look = 0;
+    /// Order of creation: of overlapping solids, the one of highest order decides the index.
+    Index order = 0;
+    /// Bounds a solid; refracting objects that do not are sheets.
+    bool closed = true;
+};
+
+/// What this scene uses; the renderer's variant is chosen by it.
+enum Feature : unsigned {
+    kFeatureReflection = 1u << 0,
+    kFeatureRefraction = 1u << 1,
+    kFeatureImages = 1u << 2,  ///< textures or bump maps
+    kFeatureAreaLights = 1u << 3,
+    kFeatureLens = 1u << 4,
+    kFeatureMeshes = 1u << 5,
+};
+
+struct Background {
+    Color bottom{0.0};
+    Color top{0.0};
+    std::shared_ptr<const Texture> image;
+
+    Color at(const Vec3& direction) const;
+};
+
+struct RenderScene {
+    std::vector<Shape> shapes;
+    std::vector<Look> looks;
+    std::vector<Instance> instances;
+    WideTree tree;  ///< over the instances' world bounds
+    std::vector<Light> lights;
+    Color ambient{0.0};
+    Background background;
+    Camera camera;
+    int width = 0;
+    int height = 0;
+    unsigned features = 0;
+    /// No path can bring more than this in any channel; infinity where there is no bound.
+    double radianceBound = kInfinity;
+    /// World bounds of the refracting solids, which may contain the lens.
+    Bounds refractingBounds;
+};
+
+}  // namespace rt

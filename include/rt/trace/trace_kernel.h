@@ -1,0 +1,83 @@
+// The renderer's inner loops, compiled once for each instruction set and chosen at run time.
+// All variants give the same bits.
+#pragma once
+
+#include "rt/geometry/hit.h"
+#include "rt/trace/render_scene.h"
+
+#include <cstdint>
+
+namespace rt {
+
+enum class SamplerKind : std::uint8_t { kJoint, kJitter, kGrid, kRandom };
+enum class FilterKind : std::uint8_t { kBox, kGaussian, kMitchell, kBlackmanHarris };
+
+struct TraceSettings {
+    int spp = 16;  ///< samples that each pixel will get; jitter and grid divide the pixel by it
+    int maxDepth = 16;
+    double cutoff = 1.0 / 2048;  ///< 0: nothing is cut
+    std::uint64_t raysPerSample = 4096;
+    std::uint64_t seed = 0;
+    SamplerKind sampler = SamplerKind::kJoint;
+    FilterKind filter = FilterKind::kBox;
+};
+
+/// What a pixel has gathered: plain data, the one thing that a checkpoint or a shard has to carry.
+struct PixelState {
+    Color sum{0.0};
+    std::uint64_t samples = 0;
+
+    Color mean() const { return samples ? sum / static_cast<double>(samples) : Color(0.0); }
+};
+
+/// Half-open rectangle of pixels.
+struct Tile {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+};
+
+struct RayCounts {
+    std::uint64_t camera = 0;
+    std::uint64_t shadow = 0;
+    std::uint64_t reflection = 0;
+    std::uint64_t refraction = 0;
+};
+
+/// What the work on some samples came to; adds up over tiles.
+struct TraceCounts {
+    RayCounts rays;
+    std::uint64_t cutPaths = 0;
+    double cutBound = 0.0;        ///< sum over samples of the bounds of what was cut
+    std::uint64_t nonFinite = 0;  ///< samples that were NaN or infinite, and count as 0
+    int nonFiniteX = 0;           ///< the first of them
+    int nonFiniteY = 0;
+
+    void add(const TraceCounts& other);
+};
+
+struct SceneHit {
+    PrimitiveHit at;
+    Index instance = kNone;
+};
+
+struct TraceKernel {
+    const char* name;
+
+    /// Adds samples [first, end) of every pixel of `tile` to `pixels`, row-major, tile.width()
+    /// wide.
+    void (*renderTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+                       int first, int end, PixelState* pixels, TraceCounts& counts);
+
+    /// The nearest hit; of surfaces that coincide, the one of the lowest instance.
+    bool (*closestHit)(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit);
+
+    /// The object-space surface at a hit.
+    SurfacePoint (*surface)(const RenderScene& scene, const SceneHit& hit);
+};
+
+}  // namespace rt

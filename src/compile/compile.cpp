@@ -1,0 +1,280 @@
+#include "rt/compile/compile.h"
+
+#include "flatten.h"
+#include "radiance_bound.h"
+#include "rt/core/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace rt {
+namespace {
+
+/// Maps below this size have lost their meaning to underflow, rather than been flattened on
+/// purpose.
+constexpr double kUnderflown = 1e-150;
+
+double largestElement(const Mat3& m) {
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::fabs(m[column][row]));
+    }
+    return largest;
+}
+
+struct BoundsOfShape {
+    template <class Solid>
+    Bounds operator()(const Solid& solid) const {
+        return solid.bounds();
+    }
+    Bounds operator()(const std::shared_ptr<const MeshShape>& shape) const {
+        return shape->tree.bounds();
+    }
+};
+
+/// Builds one RenderScene, step by step.
+class Compiler {
+  public:
+    Compiler(const SceneDesc& scene, std::size_t render, const CompileSettings& settings,
+             AssetCache& assets, Diagnostics& diagnostics)
+        : scene_(scene),
+          renderIndex_(render),
+          render_(scene.renders[render]),
+          settings_(settings),
+          assets_(assets),
+          diagnostics_(diagnostics) {}
+
+    RenderScene compile() {
+        refuseTooManyInstances();
+        forEachPlaced(scene_, render_.root, renderIndex_,
+                      [this](const PlacedNode& placed) { addInstance(placed); });
+        if (out_.instances.empty()) {
+            diagnostics_.warn("empty-scene", render_.where, "the scene places no object");
+        }
+        rankByCreation();
+        buildTree();
+        addLightsAndSky();
+        placeCamera();
+        out_.radianceBound = radianceBound(out_);
+        return std::move(out_);
+    }
+
+  private:
+    void refuseTooManyInstances() const {
+        const std::uint64_t count = countPlaced(scene_, render_.root, renderIndex_);
+        if (count <= settings_.maxInstances) return;
+        throw LimitError("gr.render: the scene places " + std::to_string(count) +
+                             " objects, more than the limit of " +
+                             std::to_string(settings_.maxInstances) + " (see --max-instances)",
+                         render_.where);
+    }
+
+    void addInstance(const PlacedNode& placed) {
+        const NodeDesc& node = scene_.nodes[placed.node];
+        Instance instance;
+        if (!placeInstance(node, placed.toWorld, instance.transform)) return;
+        instance.shape = shapeOf(node.geometry);
+        if (instance.shape == kNone) return;
+        instance.look = lookOf(placed);
+        instance.order = placed.node;
+        if (const auto* mesh =
+                std::get_if<std::shared_ptr<const MeshShape>>(&out_.shapes[instance.shape])) {
+            instance.closed = (*mesh)->mesh.closed;
+        }
+        out_.instances.push_back(instance);
+    }
+
+    bool placeInstance(const NodeDesc& node, const Affine& toWorld, Transform& out) {
+        if (Transform::make(toWorld, out)) return true;
+        const double size = largestElement(toWorld.linear);
+        if (!toWorld.isFinite() || (size > 0.0 && size < kUnderflown)) {
+            throw SceneError("node '" + printable(node.name, 80) +
+                                 "': its transforms multiply to a matrix without a finite inverse",
+                             node.where);
+        }
+        diagnostics_.warn("flat-object", node.where,
+                          "node '" + printable(node.name, 80) + "' is flat and is skipped");
+        return false;
+    }
+
+    /// kNone for a mesh without triangles.
+    Index shapeOf(Index geometry) {
+        const auto [entry, added] = shapes_.try_emplace(geometry, kNone);
+        if (!added) return entry->second;
+        if (std::optional<Shape> shape = makeShape(geometry)) {
+            entry->second = static_cast<Index>(out_.shapes.size());
+            out_.shapes.push_back(std::move(*shape));
+        }
+        return entry->second;
+    }
+
+    std::optional<Shape> makeShape(Index geometry) {
+        const GeometryDesc& desc = scene_.geometries[geometry];
+        const double angle = settings_.smoothAngleDegrees;
+        std::shared_ptr<const MeshShape> mesh;
+        if (const auto* file = std::get_if<MeshFileDesc>(&desc.shape)) {
+            mesh = assets_.mesh(*file, angle, diagnostics_);
+        } else if (const auto* table = std::get_if<MeshTableDesc>(&desc.shape)) {
+            mesh = assets_.mesh(*table, geometry, angle, desc.where, diagnostics_);
+        } else {
+            return solidOf(desc.shape);
+        }
+        if (!mesh) return std::nullopt;
+        out_.features |= kFeatureMeshes;
+        return Shape(std::move(mesh));
+    }
+
+    static Shape solidOf(const GeometryShape& shape) {
+        return std::visit(
+            [](const auto& solid) -> Shape {
+                if constexpr (std::is_constructible_v<Shape, decltype(solid)>) {
+                    return Shape(solid);
+                } else {
+                    throw std::logic_error("a mesh is not a solid");
+                }
+            },
+            shape);
+    }
+
+    Index lookOf(const PlacedNode& placed) {
+        const AppearanceDesc& a = placed.appearance;
+        const NodeDesc& node = scene_.nodes[placed.node];
+        if (a.material == kNone && a.texture == kNone) {
+            throw SceneError("node '" + printable(node.name, 80) +
+                                 "' has neither a material nor a texture: give it one with "
+                                 "add_child(node, material) or node:set_material(material)",
+                             node.where);
+        }
+        const auto [entry, added] =
+            looks_.try_emplace(std::tuple(placed.node, a.material, a.texture, a.bump),
+                               static_cast<Index>(out_.looks.size()));
+        if (added) out_.looks.push_back(makeLook(a, node.at(renderIndex_)));
+        return entry->second;
+    }
+
+    Look makeLook(const AppearanceDesc& appearance, const NodeState& state) {
+        Look look;
+        if (appearance.texture != kNone) {
+            const TextureDesc& texture = scene_.textures[appearance.texture];
+            look.material = {Color(0.0), texture.specular, texture.exponent};
+            look.texture = image(texture.image);
+        } else {
+            look.material = scene_.materials[appearance.material].material;
+        }
+        if (appearance.bump != kNone) look.bump = image(scene_.bumps[appearance.bump].image);
+        if (look.texture || look.bump) out_.features |= kFeatureImages;
+        if (state.reflection) {
+            look.reflects = true;
+            look.reflectionOwnWeight = *state.reflection;
+            out_.features |= kFeatureReflection;
+        }
+        if (state.refraction) {
+            look.refracts = true;
+            look.index = state.refraction->index;
+            look.refractionOwnWeight = state.refraction->ownWeight;
+            look.fresnel = state.fresnel;
+            out_.features |= kFeatureRefraction;
+        }
+        return look;
+    }
+
+    std::shared_ptr<const Texture> image(Index index) {
+        return assets_.image(scene_.images[index], settings_.flipV, diagnostics_);
+    }
+
+    /// Makes the orders distinct: nodes by creation, one node's instances by their place in the
+    /// graph.
+    void rankByCreation() {
+        if (!(out_.features & kFeatureRefraction)) return;
+        std::vector<Index> byCreation(out_.instances.size());
+        std::iota(byCreation.begin(), byCreation.end(), Index{0});
+        std::stable_sort(byCreation.begin(), byCreation.end(), [this](Index a, Index b) {
+            return out_.instances[a].order < out_.instances[b].order;
+        });
+        for (Index rank = 0; rank < byCreation.size(); ++rank) {
+            out_.instances[byCreation[rank]].order = rank;
+        }
+    }
+
+    void buildTree() {
+        std::vector<Bounds> boxes;
+        boxes.reserve(out_.instances.size());
+        for (const Instance& instance : out_.instances) {
+            const Bounds local = std::visit(BoundsOfShape{}, out_.shapes[instance.shape]);
+            boxes.push_back(instance.transform.boundsToWorld(local));
+            if (out_.looks[instance.look].refracts && instance.closed) {
+                out_.refractingBounds.unite(boxes.back());
+            }
+        }
+        WideTree::Settings settings;
+        settings.threads = settings_.threads;
+        out_.tree = WideTree::build(boxes, settings);
+    }
+
+    void addLightsAndSky() {
+        out_.ambient = render_.ambient;
+        for (const LightDesc& desc : render_.lights) {
+            out_.lights.push_back(desc.light);
+            if (desc.light.radius > 0.0) out_.features |= kFeatureAreaLights;
+        }
+        out_.background.bottom = render_.background.bottom;
+        out_.background.top = render_.background.top;
+        if (render_.background.image != kNone) {
+            out_.background.image = image(render_.background.image);
+        }
+    }
+
+    void placeCamera() {
+        const CameraDesc& desc = render_.camera;
+        Camera::Frame frame;
+        frame.eye = desc.eye;
+        frame.view = desc.view;
+        frame.up = desc.up;
+        frame.fovDegrees = desc.fovDegrees;
+        if (desc.focal && desc.focal->lensRadius > 0.0) {
+            frame.lensRadius = desc.focal->lensRadius;
+            frame.focusDistance = focusDistance(desc);
+            out_.features |= kFeatureLens;
+        }
+        out_.width = settings_.width > 0 ? settings_.width : render_.width;
+        out_.height = settings_.height > 0 ? settings_.height : render_.height;
+        out_.camera = Camera(frame, out_.width, out_.height);
+    }
+
+    double focusDistance(const CameraDesc& desc) const {
+        const auto* point = std::get_if<Vec3>(&desc.focal->focus);
+        const double distance = point ? glm::dot(*point - desc.eye, glm::normalize(desc.view))
+                                      : std::get<double>(desc.focal->focus);
+        if (distance > desc.focal->focalLength) return distance;
+        throw SceneError(
+            "gr.focal: the point in focus must lie farther along the view direction "
+            "than the focal length",
+            render_.where);
+    }
+
+    const SceneDesc& scene_;
+    std::size_t renderIndex_;
+    const RenderDesc& render_;
+    const CompileSettings& settings_;
+    AssetCache& assets_;
+    Diagnostics& diagnostics_;
+    RenderScene out_;
+    std::map<Index, Index> shapes_;  ///< of geometries
+    std::map<std::tuple<Index, Index, Index, Index>, Index> looks_;
+};
+
+}  // namespace
+
+RenderScene compileScene(const SceneDesc& scene, std::size_t render,
+                         const CompileSettings& settings, AssetCache& assets,
+                         Diagnostics& diagnostics) {
+    return Compiler(scene, render, settings, assets, diagnostics).compile();
+}
+
+}  // namespace rt

@@ -1,0 +1,48 @@
+#include "radiance_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+double brightest(const Color& c) {
+    return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
+}
+
+double distanceTo(const Bounds& box, const Vec3& p) {
+    const Vec3 outside = glm::max(glm::max(box.min - p, p - box.max), Vec3(0.0));
+    return glm::length(outside);
+}
+
+/// The greatest irradiance that a light gives on anything, its weight included.
+double lightBound(const Light& light, const Bounds& objects) {
+    const double d = std::max(light.radius, distanceTo(objects, light.position));
+    const double falloff = light.c0 + d * (light.c1 + d * light.c2);
+    const double weight = light.radius > 0.0 ? 2.0 : 1.0;
+    return falloff > 0.0 ? weight * brightest(light.intensity) / falloff : kInfinity;
+}
+
+}  // namespace
+
+double radianceBound(const RenderScene& scene) {
+    double sky = std::max(brightest(scene.background.bottom), brightest(scene.background.top));
+    if (scene.background.image) sky = scene.background.image->largestValue();
+    double diffuse = 0.0;
+    double specular = 0.0;
+    for (const Look& look : scene.looks) {
+        diffuse = std::max(diffuse, look.texture ? look.texture->largestValue()
+                                                 : brightest(look.material.diffuse));
+        specular = std::max(specular, brightest(look.material.specular));
+    }
+    double own = diffuse * brightest(scene.ambient);
+    const Bounds objects = scene.tree.bounds();
+    for (const Light& light : scene.lights) {
+        const double bright = lightBound(light, objects);
+        const double local = diffuse * std::max(1.0, light.brightness) + specular;
+        if (local > 0.0) own += bright * local;
+    }
+    return std::max(own, sky);
+}
+
+}  // namespace rt

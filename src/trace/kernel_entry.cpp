@@ -1,0 +1,36 @@
+// The one symbol by which a kernel is seen from outside; see tools/seal_kernel.sh.
+#include "rt/trace/trace_kernel.h"
+#include "scene_intersect.h"
+#include "tracer_variants.h"
+
+#if defined(RT_KERNEL_AVX512)
+#define RT_KERNEL_ENTRY rtKernel_avx512
+#define RT_KERNEL_NAME "avx512"
+#elif defined(RT_KERNEL_AVX2)
+#define RT_KERNEL_ENTRY rtKernel_avx2
+#define RT_KERNEL_NAME "avx2"
+#else
+#define RT_KERNEL_ENTRY rtKernel_baseline
+#define RT_KERNEL_NAME "baseline"
+#endif
+
+namespace rt {
+namespace {
+
+void renderTile(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+                int first, int end, PixelState* pixels, TraceCounts& counts) {
+    tileRendererFor(scene.features)(scene, settings, tile, first, end, pixels, counts);
+}
+
+bool closest(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit) {
+    return closestHit(scene, ray, range, hit);
+}
+
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &closest, &surfaceAt};
+
+}  // namespace
+}  // namespace rt
+
+extern "C" const rt::TraceKernel* RT_KERNEL_ENTRY() {
+    return &rt::kKernel;
+}

@@ -1,0 +1,63 @@
+#include "shade_point.h"
+
+#include "rt/core/numeric.h"
+#include "rt/shading/bump.h"
+#include "scene_intersect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+double largest(const Vec3& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+/// The shading normal of the object-space surface, bump map applied.
+Vec3 objectNormal(const Look& look, const SurfacePoint& surface, bool images) {
+    if (!images || !look.bump) return surface.shadingNormal;
+    return bumpedNormal(*look.bump, surface);
+}
+
+}  // namespace
+
+ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3& rayDirection,
+                      bool images) {
+    const Instance& instance = scene.instances[hit.instance];
+    const Look& look = scene.looks[instance.look];
+    const Transform& transform = instance.transform;
+    const SurfacePoint surface = surfaceAt(scene, hit);
+
+    ShadePoint point;
+    point.material = look.material;
+    if (images && look.texture) point.material.diffuse = look.texture->bilinear(surface.uv);
+    const Vec3 shading = objectNormal(look, surface, images);
+    const bool smooth = shading != surface.normal;
+    if (transform.isIdentity()) {
+        point.position = surface.point;
+        point.shadowOrigin = surface.shadowOrigin;
+        point.geometricNormal = surface.normal;
+        point.normal = shading;
+        point.clearance = surface.error;
+    } else {
+        point.position = transform.toWorld().point(surface.point);
+        point.shadowOrigin = surface.shadowOrigin == surface.point
+                                 ? point.position
+                                 : transform.toWorld().point(surface.shadowOrigin);
+        point.geometricNormal = transform.normalToWorld(surface.normal);
+        point.normal = smooth ? transform.normalToWorld(shading) : point.geometricNormal;
+        point.clearance = transform.errorToWorld(surface.point, surface.error);
+    }
+    point.clearance = 2.0 * point.clearance + kCoincidence * largest(point.position);
+
+    if (glm::dot(point.geometricNormal, rayDirection) > 0.0) {
+        point.geometricNormal = -point.geometricNormal;
+        // From behind, the interpolated surface bulges the other way: rays start on the triangle.
+        point.shadowOrigin = point.position;
+    }
+    if (glm::dot(point.normal, point.geometricNormal) < 0.0) point.normal = -point.normal;
+    return point;
+}
+
+}  // namespace rt

@@ -1,0 +1,344 @@
+#include "tracer.h"
+
+#include "rt/core/numeric.h"
+#include "rt/sampling/warp.h"
+#include "rt/shading/fresnel.h"
+#include "rt/shading/phong.h"
+#include "tracer_variants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rt {
+
+template <unsigned Features>
+Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings,
+                         TraceCounts& counts)
+    : scene_(scene), settings_(settings), counts_(counts), sampler_(samplerFor(settings)) {}
+
+template <unsigned Features>
+Color Tracer<Features>::sample(int x, int y, int index) {
+    sampler_.start(x, y, index);
+    const FilterSample at = sampler_.pixel();
+    const Vec2 lens = scene_.camera.hasLens() ? concentricDisc(sampler_.lens()) : Vec2(0.0);
+    Path path;
+    path.ray = scene_.camera.ray(x + 0.5 + at.offset.x, y + 0.5 + at.offset.y, lens);
+    if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
+    raysLeft_ = settings_.raysPerSample;
+    ++counts_.rays.camera;
+
+    Color sum(0.0);
+    follow(std::move(path), sum);
+    while (!pending_.empty()) {
+        Path next = std::move(pending_.back());
+        pending_.pop_back();
+        follow(std::move(next), sum);
+    }
+    return at.weight * sum;
+}
+
+template <unsigned Features>
+void Tracer<Features>::follow(Path path, Color& sum) {
+    for (;;) {
+        SceneHit hit;
+        if (!nextHit(path.ray, path.media, {}, hit)) {
+            sum += path.weight * scene_.background.at(path.ray.direction);
+            return;
+        }
+        const ShadePoint point = shadePoint(scene_, hit, path.ray.direction, kImages);
+        if constexpr (!kSecondary) {
+            sum += path.weight * ownColor(path, point);
+            return;
+        } else {
+            MediumSet beyond = beyondHit(path.media);
+            Split parts = split(path, hit, point, beyond);
+            cutSmall(path, parts.reflected, parts);
+            cutSmall(path, parts.refracted, parts);
+            if (parts.own > 0.0) sum += path.weight * parts.own * ownColor(path, point);
+
+            Path through;
+            if (parts.refracted > 0.0) {
+                ++counts_.rays.refraction;
+                through = spawn(path, point, parts.refractedDirection, parts.refracted, 1);
+                through.media = std::move(beyond);
+            }
+            if (parts.reflected > 0.0) {
+                ++counts_.rays.reflection;
+                Path mirror = spawn(path, point, parts.reflectedDirection, parts.reflected, 0);
+                mirror.media = std::move(path.media);
+                if (parts.refracted > 0.0) {
+                    pending_.push_back(std::move(mirror));
+                } else {
+                    through = std::move(mirror);
+                }
+            }
+            if (!(parts.reflected + parts.refracted > 0.0)) return;
+            path = std::move(through);
+        }
+    }
+}
+
+/// The next surface, and in `together_` all that coincide with it. An opaque one among them hides
+/// the rest; otherwise the hit is on the solid that the path enters, of several the one created
+/// last.
+template <unsigned Features>
+bool Tracer<Features>::nextHit(const Ray& ray, const MediumSet& media, Interval range,
+                               SceneHit& hit) {
+    if constexpr (!kRefraction) {
+        return closestHit(scene_, ray, range, hit);
+    } else {
+        bool shared = false;
+        if (!closestHit(scene_, ray, range, hit, &shared)) return false;
+        together_.assign(1, hit);
+        if (!shared) return true;
+
+        together_.clear();
+        const double slack = coincidenceInT(ray, hit.at.t);
+        allCrossings(scene_, ray, {std::max(0.0, hit.at.t - slack), hit.at.t + slack}, together_);
+        const auto better = [&](const SceneHit& a, const SceneHit& b) {
+            const bool opaqueA = !lookOf(a.instance).refracts;
+            const bool opaqueB = !lookOf(b.instance).refracts;
+            if (opaqueA != opaqueB) return opaqueA;
+            if (opaqueA) return a.instance < b.instance;
+            const bool entersA = isEntered(a.instance, media);
+            const bool entersB = isEntered(b.instance, media);
+            if (entersA != entersB) return entersA;
+            return scene_.instances[a.instance].order > scene_.instances[b.instance].order;
+        };
+        if (!together_.empty()) hit = *std::min_element(together_.begin(), together_.end(), better);
+        return true;
+    }
+}
+
+template <unsigned Features>
+MediumSet Tracer<Features>::beyondHit(const MediumSet& media) const {
+    MediumSet beyond = media;
+    if constexpr (kRefraction) {
+        for (const SceneHit& crossing : together_) {
+            const Index instance = crossing.instance;
+            if (lookOf(instance).refracts && !isSheet(instance)) beyond.toggle(instance);
+        }
+    }
+    return beyond;
+}
+
+template <unsigned Features>
+typename Tracer<Features>::Split Tracer<Features>::split(const Path& path, const SceneHit& hit,
+                                                         const ShadePoint& point,
+                                                         const MediumSet& beyond) const {
+    Split parts;
+    if (path.depth >= settings_.maxDepth) return parts;
+    const Look& look = lookOf(hit.instance);
+    const bool solid = !(kRefraction && look.refracts);
+    if (solid && !look.reflects) return parts;
+
+    const Vec3& d = path.ray.direction;
+    const Vec3& n = glm::dot(d, point.normal) < 0.0 ? point.normal : point.geometricNormal;
+    parts.reflectedDirection = broughtToSide(mirrored(d, n), point.geometricNormal, 1.0);
+    if (!solid) shineThrough(path, hit, point, beyond, parts);
+    if (look.reflects && (solid || isEntered(hit.instance, path.media))) {
+        const double own = look.reflectionOwnWeight;
+        parts.own *= own;
+        parts.refracted *= own;
+        parts.reflected = own * parts.reflected + (1.0 - own);
+    }
+    return parts;
+}
+
+/// The refracting part of a split: Snell between the media on both sides, total internal reflection
+/// beyond the critical angle, Fresnel's split where it is asked for. Sheets do not bend.
+template <unsigned Features>
+void Tracer<Features>::shineThrough(const Path& path, const SceneHit& hit, const ShadePoint& point,
+                                    const MediumSet& beyond, Split& parts) const {
+    const Look& look = lookOf(hit.instance);
+    const Vec3& d = path.ray.direction;
+    const Vec3& n = glm::dot(d, point.normal) < 0.0 ? point.normal : point.geometricNormal;
+    const bool sheet = isSheet(hit.instance);
+    parts.own = isEntered(hit.instance, path.media) ? look.refractionOwnWeight : 0.0;
+    const double shining = 1.0 - parts.own;
+    const double from = path.media.index(scene_);
+    const double to = sheet ? look.index : beyond.index(scene_);
+
+    const std::optional<Vec3> bent = sheet ? d : refracted(d, n, from, to);
+    if (!bent) {
+        parts.reflected = shining;
+        return;
+    }
+    parts.refractedDirection = broughtToSide(*bent, point.geometricNormal, -1.0);
+    const double mirrorShare =
+        look.fresnel ? fresnelReflectance(std::min(-glm::dot(d, n), 1.0), from, to) : 0.0;
+    parts.reflected = shining * mirrorShare;
+    parts.refracted = shining * (1.0 - mirrorShare);
+}
+
+/// Gives a part that could bring less than the cutoff, or that is over the ray budget, to the own
+/// colour, and books what it could have brought.
+template <unsigned Features>
+void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
+    if (!(part > 0.0)) return;
+    const double bound = path.weight * part * scene_.radianceBound;
+    if (raysLeft_ > 0 && !(bound < settings_.cutoff)) {
+        --raysLeft_;
+        return;
+    }
+    parts.own += part;
+    part = 0.0;
+    ++counts_.cutPaths;
+    counts_.cutBound += bound;
+}
+
+template <unsigned Features>
+typename Tracer<Features>::Path Tracer<Features>::spawn(const Path& from, const ShadePoint& point,
+                                                        const Vec3& direction, double part,
+                                                        unsigned branch) const {
+    Path path;
+    path.ray = {point.leave(point.position, direction), direction};
+    path.weight = from.weight * part;
+    path.depth = from.depth + 1;
+    path.node = 2 * from.node + branch;
+    return path;
+}
+
+template <unsigned Features>
+Color Tracer<Features>::ownColor(const Path& path, const ShadePoint& point) {
+    Color sum = point.material.diffuse * scene_.ambient;
+    for (Index light = 0; light < scene_.lights.size(); ++light) {
+        sum += lightFrom(light, path, point);
+    }
+    return sum;
+}
+
+template <unsigned Features>
+Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoint& point) {
+    const Light& light = scene_.lights[index];
+    const std::optional<LightView> view = viewOf(light, point.position);
+    if (!view) return Color(0.0);
+    Vec3 w = view->axis;
+    if constexpr (kAreaLights) {
+        if (!view->isPoint()) {
+            w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
+        }
+    }
+    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
+    const Color local =
+        view->weight * view->irradiance *
+        phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
+    if (local == Color(0.0)) return local;
+    const Ray ray{point.leave(point.shadowOrigin, w), w};
+    return visibility(ray, view->reach(w), path.media) * local;
+}
+
+/// V of the specification. A surface that the light itself lies on does not hide it.
+template <unsigned Features>
+double Tracer<Features>::visibility(const Ray& ray, double reach, const MediumSet& media) {
+    const double last = reach * (1.0 - kCoincidence);
+    if constexpr (kRefraction) {
+        return visibilityThroughGlass(ray, last, media);
+    } else {
+        ++counts_.rays.shadow;
+        return anyHit(scene_, ray, {0.0, last}) ? 0.0 : 1.0;
+    }
+}
+
+template <unsigned Features>
+double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet media) {
+    double visible = 1.0;
+    while (visible > 0.0) {
+        ++counts_.rays.shadow;
+        SceneHit hit;
+        if (!nextHit(ray, media, {0.0, reach}, hit)) return visible;
+        if (!lookOf(hit.instance).refracts) return 0.0;
+        const ShadePoint point = shadePoint(scene_, hit, ray.direction, kImages);
+        MediumSet beyond = beyondHit(media);
+        visible *= transmitted(ray.direction, hit, point, media, beyond);
+        reach -= hit.at.t;
+        ray.origin = point.leave(point.position, ray.direction);
+        media = std::move(beyond);
+    }
+    return 0.0;
+}
+
+/// What one crossing lets through of light that goes straight on: (1 - F), and (1 - f) of every
+/// object that is entered.
+template <unsigned Features>
+double Tracer<Features>::transmitted(const Vec3& direction, const SceneHit& hit,
+                                     const ShadePoint& point, const MediumSet& media,
+                                     const MediumSet& beyond) const {
+    const double from = media.index(scene_);
+    const double to = isSheet(hit.instance) ? lookOf(hit.instance).index : beyond.index(scene_);
+    const double cosine = std::min(std::fabs(glm::dot(direction, point.normal)), 1.0);
+    double share = 1.0 - fresnelFromThinSide(cosine, from, to);
+    for (const SceneHit& crossing : together_) {
+        if (isEntered(crossing.instance, media)) {
+            share *= 1.0 - lookOf(crossing.instance).refractionOwnWeight;
+        }
+    }
+    return share;
+}
+
+/// The refracting solids around a point, by the parity of crossings on a ray to infinity. The
+/// direction is arbitrary; it only should not lie along faces that people model.
+template <unsigned Features>
+MediumSet Tracer<Features>::mediaAt(const Vec3& point) {
+    MediumSet media;
+    const Bounds& bounds = scene_.refractingBounds;
+    const bool outside =
+        glm::any(glm::lessThan(point, bounds.min)) || glm::any(glm::greaterThan(point, bounds.max));
+    if (outside) return media;
+    together_.clear();
+    allCrossings(scene_, {point, glm::normalize(Vec3(0.5377, 0.7311, -0.4201))}, {}, together_);
+    for (const SceneHit& crossing : together_) {
+        const Index instance = crossing.instance;
+        if (lookOf(instance).refracts && !isSheet(instance)) media.toggle(instance);
+    }
+    return media;
+}
+
+namespace {
+
+template <unsigned Features>
+void renderTileWith(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+                    int first, int end, PixelState* pixels, TraceCounts& counts) {
+    Tracer<Features> tracer(scene, settings, counts);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x, ++pixels) {
+            for (int index = first; index < end; ++index) {
+                const Color value = tracer.sample(x, y, index);
+                if (std::isfinite(value.x + value.y + value.z)) {
+                    pixels->sum += value;
+                } else if (counts.nonFinite++ == 0) {
+                    counts.nonFiniteX = x;
+                    counts.nonFiniteY = y;
+                }
+                ++pixels->samples;
+            }
+        }
+    }
+}
+
+constexpr unsigned kVariantFeatures =
+    kFeatureReflection | kFeatureRefraction | kFeatureImages | kFeatureAreaLights;
+
+/// Glass needs all that mirrors need: total internal reflection.
+constexpr unsigned variantOf(unsigned features) {
+    features &= kVariantFeatures;
+    return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
+}
+
+template <unsigned... Bits>
+TileRenderer variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
+    TileRenderer found = nullptr;
+    ((variantOf(Bits) == variantOf(features) ? void(found = &renderTileWith<variantOf(Bits)>)
+                                             : void()),
+     ...);
+    return found;
+}
+
+}  // namespace
+
+TileRenderer tileRendererFor(unsigned features) {
+    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{});
+}
+
+}  // namespace rt

@@ -1,0 +1,89 @@
+// Whitted ray tracing of one sample: the own colour of what is hit, what it mirrors, and what
+// shines through. Whitted, An Improved Illumination Model for Shaded Display, CACM 23(6), 1980.
+#pragma once
+
+#include "medium_set.h"
+#include "rt/sampling/sampler.h"
+#include "rt/shading/light_sample.h"
+#include "rt/trace/trace_kernel.h"
+#include "scene_intersect.h"
+#include "shade_point.h"
+
+#include <vector>
+
+namespace rt {
+
+/// `Features` are those that the scene uses: what it does not use is not compiled into its variant.
+/// One Tracer works on one thread.
+template <unsigned Features>
+class Tracer {
+  public:
+    Tracer(const RenderScene& scene, const TraceSettings& settings, TraceCounts& counts);
+
+    /// The value of sample number `index` of pixel (x, y), times its filter weight.
+    Color sample(int x, int y, int index);
+
+  private:
+    static constexpr bool kImages = (Features & kFeatureImages) != 0;
+    static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
+    static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
+    static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
+    static constexpr bool kSecondary = kReflection || kRefraction;
+
+    /// A ray that still has to be followed.
+    struct Path {
+        Ray ray;
+        double weight = 1.0;  ///< of its value in the sample
+        int depth = 0;
+        /// Names the place in the tree of paths: what n mirrors is 2n, what shines through is 2n+1.
+        std::uint32_t node = 1;
+        MediumSet media;  ///< the solids that the ray is inside
+    };
+
+    /// How the value at a hit is made up; the weights add up to 1.
+    struct Split {
+        double own = 1.0;
+        double reflected = 0.0;
+        double refracted = 0.0;
+        Vec3 reflectedDirection{0.0};
+        Vec3 refractedDirection{0.0};
+    };
+
+    void follow(Path path, Color& sum);
+    bool nextHit(const Ray& ray, const MediumSet& media, Interval range, SceneHit& hit);
+    MediumSet beyondHit(const MediumSet& media) const;
+    Split split(const Path& path, const SceneHit& hit, const ShadePoint& point,
+                const MediumSet& beyond) const;
+    void shineThrough(const Path& path, const SceneHit& hit, const ShadePoint& point,
+                      const MediumSet& beyond, Split& parts) const;
+    void cutSmall(const Path& path, double& part, Split& parts);
+    Path spawn(const Path& from, const ShadePoint& point, const Vec3& direction, double part,
+               unsigned branch) const;
+
+    Color ownColor(const Path& path, const ShadePoint& point);
+    Color lightFrom(Index light, const Path& path, const ShadePoint& point);
+    double visibility(const Ray& ray, double reach, const MediumSet& media);
+    double visibilityThroughGlass(Ray ray, double reach, MediumSet media);
+    double transmitted(const Vec3& direction, const SceneHit& hit, const ShadePoint& point,
+                       const MediumSet& media, const MediumSet& beyond) const;
+    MediumSet mediaAt(const Vec3& point);
+
+    bool isSheet(Index instance) const { return !scene_.instances[instance].closed; }
+    bool isEntered(Index instance, const MediumSet& media) const {
+        return isSheet(instance) || !media.contains(instance);
+    }
+    const Look& lookOf(Index instance) const {
+        return scene_.looks[scene_.instances[instance].look];
+    }
+
+    const RenderScene& scene_;
+    const TraceSettings& settings_;
+    TraceCounts& counts_;
+    Sampler sampler_;
+    std::uint64_t raysLeft_ = 0;
+    std::vector<Path> pending_;
+    /// The crossings at the last hit: one, or several where surfaces coincide.
+    std::vector<SceneHit> together_;
+};
+
+}  // namespace rt

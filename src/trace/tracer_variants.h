@@ -1,0 +1,14 @@
+// The variants of the tracer, one for each set of features that a scene may use.
+#pragma once
+
+#include "rt/trace/trace_kernel.h"
+
+namespace rt {
+
+using TileRenderer = void (*)(const RenderScene&, const TraceSettings&, const Tile&, int first,
+                              int end, PixelState*, TraceCounts&);
+
+/// The leanest variant that renders scenes with these features.
+TileRenderer tileRendererFor(unsigned features);
+
+}  // namespace rt
