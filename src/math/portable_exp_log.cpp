@@ -43,14 +43,20 @@ struct Exp2 {
     }
 };
 
+/// log(x) for x > 0 and finite; the parts overlap, and r^2/2 is rounded to double.
+RT_KERNEL DoubleDouble logParts(double x) {
+    const LogReduction part = reduceLog(x);
+    const double r = part.r.hi;
+    const DoubleDouble head = fastTwoSum(part.high, r);
+    const double square = std::fma(r, polynomial(kLog, r), -0.5);
+    return {head.hi, head.lo + std::fma(r * r, square, part.low + part.r.lo)};
+}
+
 struct Log {
     RT_KERNEL double evaluate(double x) {
         if (!isOrdinary(x)) return extremeLog(x);
-        const LogReduction part = reduceLog(x);
-        const double r = part.r.hi;
-        const DoubleDouble head = fastTwoSum(part.high, r);
-        const double square = std::fma(r, polynomial(kLog, r), -0.5);
-        return head.hi + (head.lo + std::fma(r * r, square, part.low + part.r.lo));
+        const DoubleDouble value = logParts(x);
+        return value.hi + value.lo;
     }
 };
 
@@ -116,6 +122,23 @@ struct Pow {
     }
 };
 
+/// The last power that powUnit does not flush to 0 is exp of this, just above 2^-1022.
+constexpr double kSmallestPower = -0x1.6232bdd7abcd2p9;
+
+struct PowUnit {
+    RT_KERNEL double evaluate(double x, double p) {
+        if (!(x > 0.0 && x <= 1.0 && p >= 0.0 && p < HUGE_VAL)) {
+            if (!(x == 0.0 && p >= 0.0 && p < HUGE_VAL)) return std::nan("");
+            return p > 0.0 ? 0.0 : 1.0;
+        }
+        const DoubleDouble log = logParts(x);
+        const double hi = p * log.hi;
+        if (!(hi > kSmallestPower)) return 0.0;
+        const Exponential e = exponential(hi, std::fma(p, log.hi, -hi) + p * log.lo);
+        return std::fma(e.scale, e.rest, e.scale) * powerOfTwo(e.exponent);
+    }
+};
+
 }  // namespace
 
 double exp(double x) {
@@ -135,6 +158,9 @@ double log10(double x) {
 }
 double pow(double x, double y) {
     return evaluate<Pow>(x, y);
+}
+double powUnit(double x, double p) {
+    return evaluate<PowUnit>(x, p);
 }
 
 }  // namespace rt::portable
