@@ -111,6 +111,7 @@ class NodeDesc {
     const NodeState& latest() const { return versions_.back().state; }
     /// The state to change while `rendersSoFar` renders have been asked for.
     NodeState& edit(std::size_t rendersSoFar);
+    std::size_t versionCount() const { return versions_.size(); }
 
   private:
     struct Version {

@@ -1,0 +1,158 @@
+#include "call_table.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace rt {
+
+namespace {
+
+std::vector<CallRow> allRows() {
+    std::vector<CallRow> all;
+    for (auto* rows : {nodeCalls, primitiveCalls, meshCalls, appearanceCalls, lightCalls,
+                       renderCalls, optionCalls, parameterCalls}) {
+        std::vector<CallRow> more = rows();
+        std::move(more.begin(), more.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+ArgumentValue readObject(const Arguments& in, int slot, Label label, const Parameter& parameter) {
+    switch (parameter.kind) {
+        case ParameterKind::kMaterial:
+            return in.object(slot, label, ObjectKind::kMaterial);
+        case ParameterKind::kTexture:
+            return in.object(slot, label, ObjectKind::kTexture);
+        case ParameterKind::kBump:
+            return in.object(slot, label, ObjectKind::kBump);
+        case ParameterKind::kFocal:
+            return in.object(slot, label, ObjectKind::kFocal);
+        case ParameterKind::kLights:
+            return in.objects(slot, label, ObjectKind::kLight);
+        default:
+            return in.object(slot, label, ObjectKind::kNode);
+    }
+}
+
+ArgumentValue readValue(const Arguments& in, int slot, const Parameter& parameter) {
+    const Label label{parameter.name};
+    switch (parameter.kind) {
+        case ParameterKind::kText:
+            return in.text(slot, label);
+        case ParameterKind::kNumber:
+            return in.number(slot, label, parameter.range);
+        case ParameterKind::kWholeNumber:
+            return in.wholeNumber(slot, label, parameter.range);
+        case ParameterKind::kBoolean:
+            return in.boolean(slot, label);
+        case ParameterKind::kTuple:
+            return in.tuple(slot, label, parameter.range);
+        case ParameterKind::kColor:
+            return in.color(slot, label);
+        case ParameterKind::kAxis:
+            return static_cast<double>(in.axis(slot, label));
+        case ParameterKind::kTable:
+            in.requireTable(slot, label, "a table");
+            return true;
+        case ParameterKind::kAny:
+            return true;
+        default:
+            return readObject(in, slot, label, parameter);
+    }
+}
+
+const CallForm& formOf(const CallRow& row, const Arguments& arguments) {
+    const auto fits = [&](const CallForm& form) { return !form.fits || form.fits(arguments); };
+    const auto form = std::find_if(row.forms.begin(), row.forms.end(), fits);
+    return form != row.forms.end() ? *form : row.forms.back();
+}
+
+void warnOfExtra(const CallForm& form, const Arguments& arguments, SceneBuilder& builder) {
+    const int most = static_cast<int>(form.parameters.size());
+    for (int slot = most + 1; slot <= arguments.count(); ++slot) {
+        if (!arguments.isGiven(slot)) continue;
+        builder.warnOnce("extra-arguments",
+                         "takes " + std::to_string(most) + " arguments; the rest is ignored");
+        return;
+    }
+}
+
+void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& builder) {
+    const int type = lua_type(arguments.state(), 1);
+    if (!row.isMethod() || type == LUA_TUSERDATA) return;
+    builder.fail("node: gr.node expected, got " + valueText(arguments.state(), 1) +
+                 "; the call is " + usageText(row, row.forms.front()));
+}
+
+}  // namespace
+
+const std::vector<CallRow>& callTable() {
+    static const std::vector<CallRow> table = allRows();
+    return table;
+}
+
+const std::vector<FieldRow>& fieldTable() {
+    static const std::vector<FieldRow> table = {
+        {"frame", "The number of the frame, 1 without --frames."},
+        {"time", "From 0 at the first frame to 1 at the last."},
+    };
+    return table;
+}
+
+const CallRow* findCall(const std::string& name) {
+    const auto& table = callTable();
+    const auto row = std::find_if(table.begin(), table.end(),
+                                  [&](const CallRow& candidate) { return candidate.name == name; });
+    return row != table.end() ? &*row : nullptr;
+}
+
+std::vector<std::string> callNames() {
+    std::vector<std::string> names;
+    for (const CallRow& row : callTable()) names.push_back(row.name);
+    for (const FieldRow& row : fieldTable()) names.push_back(row.name);
+    return names;
+}
+
+std::string usageText(const CallRow& row, const CallForm& form) {
+    const std::size_t first = row.isMethod() ? 1 : 0;
+    std::string text = (row.isMethod() ? "node:" : "gr.") + std::string(row.name) + "(";
+    std::string closing = ")";
+    for (std::size_t i = first; i < form.parameters.size(); ++i) {
+        const Parameter& parameter = form.parameters[i];
+        if (parameter.optional) {
+            text += i > first ? " [" : "[";
+            closing = "]" + closing;
+        }
+        text += i > first ? ", " : "";
+        text += parameter.name;
+    }
+    return text + closing;
+}
+
+std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {
+    const std::string nearest = nearestName(word, known);
+    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+CallResult runCall(const CallRow& row, const Arguments& arguments, SceneBuilder& builder) {
+    requireNode(row, arguments, builder);
+    const CallForm& form = formOf(row, arguments);
+    Call call(arguments, builder);
+    for (std::size_t i = 0; i < form.parameters.size(); ++i) {
+        const Parameter& parameter = form.parameters[i];
+        const int slot = Call::slot(i);
+        if (slot > arguments.count() && !parameter.optional) {
+            builder.fail(std::string(parameter.name) + " is missing; the call is " +
+                         usageText(row, form));
+        }
+        if (parameter.optional && !arguments.isGiven(slot)) {
+            if (parameter.fallback) call.set(i, *parameter.fallback);
+            continue;
+        }
+        call.set(i, readValue(arguments, slot, parameter));
+    }
+    warnOfExtra(form, arguments, builder);
+    return form.run(call);
+}
+
+}  // namespace rt

@@ -1,0 +1,233 @@
+#include "scene_builder.h"
+
+#include <filesystem>
+#include <functional>
+
+namespace rt {
+
+namespace {
+
+constexpr const char* kKindNames[kObjectKinds] = {"gr.node",    "gr.material", "gr.texture",
+                                                  "gr.bumpmap", "gr.light",    "gr.focal"};
+
+// The longest way round a cycle that a message spells out.
+constexpr std::size_t kCycleNamesShown = 12;
+constexpr double kSmoothUnsaid = -1.0;
+
+template <class Desc>
+Index append(std::vector<Desc>& all, Desc desc) {
+    all.push_back(std::move(desc));
+    return static_cast<Index>(all.size() - 1);
+}
+
+std::size_t bytesOf(const GeometryShape& shape) {
+    const auto* table = std::get_if<MeshTableDesc>(&shape);
+    if (!table) return sizeof(GeometryDesc);
+    return sizeof(GeometryDesc) + table->vertices.size() * sizeof(Vec3) +
+           (table->corners.size() + table->faceSizes.size()) * sizeof(Index);
+}
+
+std::size_t bytesOf(const NodeState& state) {
+    return sizeof(NodeState) + state.children.size() * sizeof(EdgeDesc);
+}
+
+}  // namespace
+
+const char* objectKindName(ObjectKind kind) {
+    return kKindNames[static_cast<std::size_t>(kind)];
+}
+
+SceneBuilder::SceneBuilder(const std::string& name, const std::string& folder,
+                           const ScriptSettings& settings, Diagnostics& diagnostics)
+    : settings_(settings),
+      diagnostics_(diagnostics),
+      search_(std::filesystem::current_path(), folder, settings.trust),
+      ancestry_(scene_.nodes) {
+    scene_.name = name;
+    scene_.folder = folder;
+}
+
+void SceneBuilder::enterCall(const char* call, SourceLocation where) {
+    call_ = call;
+    where_ = std::move(where);
+}
+
+void SceneBuilder::fail(const std::string& message) const {
+    throw SceneError(std::string("gr.") + call_ + ": " + message, where_);
+}
+
+void SceneBuilder::warn(const std::string& kind, const std::string& message) {
+    diagnostics_.warn(kind, where_, std::string("gr.") + call_ + ": " + message);
+}
+
+void SceneBuilder::warnOnce(const std::string& kind, const std::string& message) {
+    const bool first = warned_.emplace(where_.file, where_.line, kind + " " + call_).second;
+    if (first) warn(kind, message);
+}
+
+std::size_t SceneBuilder::count(ObjectKind kind) const {
+    const std::size_t counts[kObjectKinds] = {scene_.nodes.size(),    scene_.materials.size(),
+                                              scene_.textures.size(), scene_.bumps.size(),
+                                              lights_.size(),         focals_.size()};
+    return counts[static_cast<std::size_t>(kind)];
+}
+
+std::string SceneBuilder::describe(ObjectRef object) const {
+    const std::string kind = objectKindName(object.kind);
+    if (object.kind != ObjectKind::kNode) return kind + " " + std::to_string(object.index + 1);
+    return kind + " '" + printable(scene_.nodes[object.index].name, 64) + "'";
+}
+
+void SceneBuilder::charge(std::size_t bytes) {
+    charged_ += bytes;
+    if (charged_ <= settings_.memoryLimit) return;
+    throw LimitError("the scene needs more than the " + std::to_string(settings_.memoryLimit) +
+                         " bytes that a script may use (see --script-memory)",
+                     where_);
+}
+
+ObjectRef SceneBuilder::addNode(const std::string& name, Index geometry) {
+    charge(sizeof(NodeDesc) + sizeof(NodeState) + name.size());
+    const bool fresh = nodeNames_.insert(std::hash<std::string>()(name)).second;
+    if (!fresh && !name.empty()) {
+        warnOnce("duplicate-name", "another node is called '" + printable(name, 64) + "' too");
+    }
+    const Index index = append(scene_.nodes, NodeDesc(name, geometry, where_));
+    return {ObjectKind::kNode, index};
+}
+
+Index SceneBuilder::addGeometry(GeometryShape shape) {
+    charge(bytesOf(shape));
+    return append(scene_.geometries, GeometryDesc{std::move(shape), where_});
+}
+
+std::string SceneBuilder::resolveAsset(const std::string& file, AssetRole role) {
+    const auto known = resolvedFiles_.find({file, role});
+    if (known != resolvedFiles_.end()) return known->second;
+    const AssetSearch::Found found = search_.find(file, role);
+    if (found.path.empty()) fail(found.error);
+    resolvedFiles_[{file, role}] = found.path;
+    return found.path;
+}
+
+Index SceneBuilder::meshFile(const std::string& file, std::optional<double> smoothAngle) {
+    const std::string path = resolveAsset(file, AssetRole::kMesh);
+    const auto key = std::make_pair(path, smoothAngle.value_or(kSmoothUnsaid));
+    const auto known = meshes_.find(key);
+    if (known != meshes_.end()) return known->second;
+    return meshes_[key] = addGeometry(MeshFileDesc{path, smoothAngle});
+}
+
+Index SceneBuilder::image(const std::string& file, AssetRole role) {
+    const std::string path = resolveAsset(file, role);
+    const auto known = images_.find(path);
+    if (known != images_.end()) return known->second;
+    charge(sizeof(ImageDesc) + path.size());
+    return images_[path] = append(scene_.images, ImageDesc{path, where_});
+}
+
+ObjectRef SceneBuilder::addMaterial(const Material& material) {
+    charge(sizeof(MaterialDesc));
+    return {ObjectKind::kMaterial, append(scene_.materials, MaterialDesc{material, where_})};
+}
+
+ObjectRef SceneBuilder::addTexture(TextureDesc texture) {
+    charge(sizeof(TextureDesc));
+    texture.where = where_;
+    return {ObjectKind::kTexture, append(scene_.textures, std::move(texture))};
+}
+
+ObjectRef SceneBuilder::addBump(Index image) {
+    charge(sizeof(BumpDesc));
+    return {ObjectKind::kBump, append(scene_.bumps, BumpDesc{image, where_})};
+}
+
+ObjectRef SceneBuilder::addLight(const Light& light) {
+    charge(sizeof(LightDesc));
+    return {ObjectKind::kLight, append(lights_, LightDesc{light, where_})};
+}
+
+ObjectRef SceneBuilder::addFocal(const FocalDesc& focal) {
+    charge(sizeof(FocalDesc));
+    return {ObjectKind::kFocal, append(focals_, FocalDesc(focal))};
+}
+
+NodeState& SceneBuilder::edit(Index node) {
+    NodeDesc& desc = scene_.nodes[node];
+    const std::size_t before = desc.versionCount();
+    NodeState& state = desc.edit(scene_.renders.size());
+    if (desc.versionCount() > before) charge(bytesOf(state));
+    return state;
+}
+
+void SceneBuilder::addChild(Index parent, Index child, const AppearanceDesc& appearance) {
+    if (ancestry_.closesCycle(parent, child)) failCycle(parent, child);
+    charge(sizeof(EdgeDesc) + where_.file.size());
+    edit(parent).children.push_back({child, appearance, where_});
+    ancestry_.add(parent, child);
+}
+
+void SceneBuilder::failCycle(Index parent, Index child) const {
+    std::vector<Index> path = ancestry_.pathDown(child, parent);
+    path.push_back(child);
+    std::string names;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const bool skipped = i >= kCycleNamesShown && i + 2 < path.size();
+        if (skipped && i > kCycleNamesShown) continue;
+        names += i == 0 ? "" : " -> ";
+        names += skipped ? "..." : printable(scene_.nodes[path[i]].name, 64);
+    }
+    fail("cycle: " + names);
+}
+
+void SceneBuilder::addRender(RenderDesc render) {
+    charge(sizeof(RenderDesc) + render.lights.size() * sizeof(LightDesc));
+    if (!outputs_.insert(render.output).second) {
+        warnOnce("overwritten", "'" + printable(render.output, 256) +
+                                    "' is the name of an earlier render, which is overwritten");
+    }
+    render.background = background_;
+    render.options = options_;
+    render.where = where_;
+    scene_.renders.push_back(std::move(render));
+}
+
+const std::string* SceneBuilder::parameterText(const std::string& name) {
+    const auto given = settings_.parameters.find(name);
+    if (given == settings_.parameters.end()) return nullptr;
+    parametersRead_.insert(name);
+    return &given->second;
+}
+
+void SceneBuilder::addParameter(const std::string& name, const std::string& value,
+                                const std::string& doc) {
+    if (!parameterNames_.insert(name).second) return;
+    charge(sizeof(ScriptParameter) + name.size() + value.size() + doc.size());
+    parameters_.push_back({name, value, doc, where_});
+}
+
+ScriptResult SceneBuilder::finish() {
+    const SourceLocation script{scene_.name, 0};
+    for (const auto& given : settings_.parameters) {
+        if (parametersRead_.count(given.first) > 0) continue;
+        std::vector<std::string> known;
+        for (const ScriptParameter& parameter : parameters_) known.push_back(parameter.name);
+        const std::string nearest = nearestName(given.first, known);
+        diagnostics_.warn("unused-parameter", script,
+                          "unused parameter -D " + printable(given.first, 64) +
+                              ": no gr.param reads it" +
+                              (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    }
+    if (scene_.renders.empty()) {
+        diagnostics_.warn("no-render", script, "nothing was rendered");
+    }
+    ScriptResult result;
+    std::set<std::string> files;
+    for (const auto& file : resolvedFiles_) files.insert(file.second);
+    result.filesRead.assign(files.begin(), files.end());
+    result.parameters = std::move(parameters_);
+    result.scene = std::move(scene_);
+    return result;
+}
+
+}  // namespace rt
