@@ -76,6 +76,9 @@ inline constexpr double kTorusSlack = 0x1p-40;
 /// Halley's iteration cubes the relative error: a step below this leaves less than a rounding.
 inline constexpr double kTorusHandover = 0x1p-18;
 
+/// How often Halley's iteration is let run unguarded: from a parabola, it takes one to three steps.
+inline constexpr int kTorusGlances = 4;
+
 /// Bisection alone would need 64 steps to run out of doubles.
 inline constexpr int kTorusMaxSteps = 80;
 
@@ -107,5 +110,10 @@ inline constexpr double kOriginRounding = 0x1p-46;
 /// In surface() of a torus: rho is off by 2 roundings of at most R + r, rho - R by one more, the
 /// distance to the circle by 3 and its difference with r by 1, each of r; relative to R + r.
 inline constexpr double kTorusPointError = gamma(7);
+
+/// Linear maps of larger condition |inverse| |map| (largest row sum) count as singular: the entries
+/// of composed maps are off by some 16 roundings, and that much could make such a map singular
+/// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.2).
+inline constexpr double kLargestCondition = 1.0 / (16 * kUnitRoundoff);
 
 }  // namespace rt

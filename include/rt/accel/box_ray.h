@@ -1,0 +1,119 @@
+// A ray as the single-precision boxes of a WideTree see it.
+//
+// In the frame of the tree a far ray starts where it enters the neighbourhood of [-1, 1]^3 (found
+// in double, so that a far origin costs nothing); its direction is scaled by a power of two to a
+// longest component in [1, 2); and tau = t rate - start is its parameter, at most 6 within the
+// tree. kBoxPad moves every plane outwards, each axis by itself, by more than a slab test can be
+// off; the pad of a ray grows by the rounding in double of its own origin, which is what a
+// primitive's test may be off by.
+#pragma once
+
+#include "rt/accel/wide_tree.h"
+#include "rt/core/numeric.h"
+#include "rt/core/ray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace rt {
+
+class BoxRay {
+  public:
+    /// False where the line misses the tree's surroundings, or the ray is not finite.
+    [[nodiscard]] static bool make(const TreeFrame& frame, const Ray& ray, BoxRay& out);
+
+    /// Bounds in float of the tau of `t`, which may be infinite.
+    float tauAbove(double t) const {
+        const double tau = clampedTau(t);
+        return static_cast<float>(tau + slack(tau));
+    }
+    float tauBelow(double t) const {
+        const double tau = clampedTau(t);
+        return static_cast<float>(tau - slack(tau));
+    }
+
+    float reciprocal[3];
+    float nearShift[3];  ///< tau of a near plane p is p * reciprocal + nearShift
+    float farShift[3];
+    int nearPlane[3];  ///< rows of WideNode::plane
+    int farPlane[3];
+
+  private:
+    /// Ten times what is met within the tree: beyond it, all values are alike.
+    static constexpr double kTauLimit = 64.0;
+
+    double clampedTau(double t) const {
+        return std::clamp(t * rate_ - start_, -kTauLimit, kTauLimit);
+    }
+    double slack(double tau) const { return startSlack_ + kFloatRounding * std::fabs(tau); }
+    void setAxis(int axis, double origin, double direction, double pad);
+    /// Moves a far `origin` towards the tree; false where the line passes it by.
+    bool approach(Vec3& origin, const Vec3& direction, double pad);
+
+    double rate_;
+    double start_;
+    double startSlack_;
+};
+
+/// The largest absolute value of a component.
+inline double longestComponent(const Vec3& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+inline void BoxRay::setAxis(int axis, double origin, double direction, double pad) {
+    const double slope = std::copysign(std::max(std::fabs(direction), kLeastSlope), direction);
+    const double outward = std::copysign(pad, slope);
+    const double inverse = 1.0 / slope;
+    const bool backwards = slope < 0.0;
+    reciprocal[axis] = static_cast<float>(inverse);
+    nearShift[axis] = static_cast<float>(-(origin + outward) * inverse);
+    farShift[axis] = static_cast<float>(-(origin - outward) * inverse);
+    nearPlane[axis] = 2 * axis + (backwards ? 1 : 0);
+    farPlane[axis] = 2 * axis + (backwards ? 0 : 1);
+}
+
+inline bool BoxRay::approach(Vec3& origin, const Vec3& direction, double pad) {
+    // All of the unit cube, and its pads, lie within `reach` of the centre.
+    const double reach = 2.0 + 2.0 * pad;
+    const double squared = glm::dot(direction, direction);
+    const double foot = -glm::dot(origin, direction) / squared;
+    const Vec3 nearest = origin + foot * direction;
+    if (!(glm::dot(nearest, nearest) < reach * reach)) return false;
+    start_ = foot - reach / std::sqrt(squared);
+    startSlack_ += kOriginRounding * std::fabs(start_);
+    origin += start_ * direction;
+    return true;
+}
+
+inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
+    Vec3 direction = ray.direction;
+    double longest = longestComponent(direction);
+    if (!(longest > 0.0 && longest < kInfinity)) return false;
+    out.rate_ = frame.scale;
+    if (!(longest > 0x1p-1000 && longest < 0x1p1000)) {
+        const double shrink = longest < 1.0 ? 0x1p500 : 0x1p-500;
+        direction *= shrink;
+        longest *= shrink;
+        out.rate_ /= shrink;
+    }
+    constexpr std::uint64_t kExponentBits = std::uint64_t{0x7ff} << 52;
+    const double power =
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & kExponentBits);
+    direction *= 1.0 / power;
+    out.rate_ *= power;
+
+    Vec3 origin = (ray.origin - frame.centre) * frame.scale;
+    const double away = longestComponent(origin);
+    if (!(away < kInfinity && out.rate_ > 0.0 && out.rate_ < kInfinity)) return false;
+    const double pad =
+        kBoxPad + kOriginRounding * (away + longestComponent(frame.centre) * frame.scale);
+    out.start_ = 0.0;
+    out.startSlack_ = kFloatRounding;
+    if (away > 2.0 && !out.approach(origin, direction, pad)) return false;
+    for (int axis = 0; axis < 3; ++axis) out.setAxis(axis, origin[axis], direction[axis], pad);
+    return true;
+}
+
+}  // namespace rt
