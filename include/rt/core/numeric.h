@@ -76,6 +76,10 @@ inline constexpr double kTorusSlack = 0x1p-40;
 /// Halley's iteration cubes the relative error: a step below this leaves less than a rounding.
 inline constexpr double kTorusHandover = 0x1p-18;
 
+/// In units of r (R + r): a point of a line is off by 3 roundings of at most R + r, to which f near
+/// the surface is 2 r times as sensitive, and its own sum adds 3 more of r^2; with room to spare.
+inline constexpr double kTorusBlur = 64 * kUnitRoundoff;
+
 /// How often Halley's iteration is let run unguarded: from a parabola, it takes one to three steps.
 inline constexpr int kTorusGlances = 4;
 
@@ -115,5 +119,9 @@ inline constexpr double kTorusPointError = gamma(7);
 /// of composed maps are off by some 16 roundings, and that much could make such a map singular
 /// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.2).
 inline constexpr double kLargestCondition = 1.0 / (16 * kUnitRoundoff);
+
+/// Up to this condition, the terms of inverse times vector do not cancel to speak of, and their
+/// roundings stay a few of the result: a turn and a uniform scale have at most 3.
+inline constexpr double kEvenCondition = 4.0;
 
 }  // namespace rt

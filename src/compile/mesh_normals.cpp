@@ -1,0 +1,185 @@
+#include "rt/compile/mesh_normals.h"
+
+#include "normal_tree.h"
+#include "rt/core/numeric.h"
+#include "rt/math/portable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rt {
+namespace {
+
+double largestComponent(const Vec3& v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+}
+
+// Between these sizes of two vectors, their products and the squares of those neither overflow nor
+// lose bits.
+constexpr double kSmall = 0x1p-200;
+constexpr double kLarge = 0x1p200;
+
+/// v, times a power of two where its size would be trouble; 0 and what is not finite stay as is.
+Vec3 scaledNearOne(const Vec3& v) {
+    const double largest = largestComponent(v);
+    if ((kSmall <= largest && largest <= kLarge) || !(largest > 0.0 && largest < kInfinity))
+        return v;
+    return v * std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1022, 1022));
+}
+
+/// b - a without overflow, times a power of two.
+Vec3 edgeDirection(const Vec3& a, const Vec3& b) {
+    const Vec3 edge = b - a;
+    if (largestComponent(edge) < kInfinity) return scaledNearOne(edge);
+    return scaledNearOne(0.5 * b - 0.5 * a);
+}
+
+Vec3 accurateCross(const Vec3& a, const Vec3& b) {
+    return {differenceOfProducts(a.y, b.z, a.z, b.y), differenceOfProducts(a.z, b.x, a.x, b.z),
+            differenceOfProducts(a.x, b.y, a.y, b.x)};
+}
+
+double length(const Vec3& v) {
+    return std::sqrt(glm::dot(v, v));
+}
+
+class VertexSmoother {
+  public:
+    VertexSmoother(TriangleMesh& mesh, std::span<const Vec3> faceNormals, double cosLimit)
+        : mesh_(mesh), faceNormals_(faceNormals), cosLimit_(cosLimit) {}
+
+    void smooth(std::span<const Index> corners);
+
+  private:
+    struct Result {
+        NormalSum sum;
+        Index normal;
+    };
+
+    Index& slot(Index corner) { return mesh_.normalCorners[corner / 3][corner % 3]; }
+    bool gather(std::span<const Index> corners);
+    NormalSum sumAround(const Vec3& normal) const;
+    Index store(const NormalSum& sum);
+
+    TriangleMesh& mesh_;
+    std::span<const Vec3> faceNormals_;
+    double cosLimit_;
+    std::vector<WeightedNormal> shares_;
+    std::vector<Index> corners_;
+    std::vector<Result> results_;
+    NormalTree tree_;
+};
+
+// From this many faces on, a tree is searched instead of every pair compared.
+constexpr std::size_t kManyFaces = 48;
+
+double angleAt(const TriangleMesh& mesh, Index corner) {
+    const TriangleMesh::Corners& triangle = mesh.triangles[corner / 3];
+    const Vec3& apex = mesh.positions[triangle[corner % 3]];
+    const Vec3 e = edgeDirection(apex, mesh.positions[triangle[(corner + 1) % 3]]);
+    const Vec3 f = edgeDirection(apex, mesh.positions[triangle[(corner + 2) % 3]]);
+    return portable::atan2(length(accurateCross(e, f)), glm::dot(e, f));
+}
+
+/// Fills shares_ and corners_; false if every corner here has its normal.
+bool VertexSmoother::gather(std::span<const Index> corners) {
+    shares_.clear();
+    corners_.clear();
+    bool wanted = false;
+    for (const Index corner : corners) {
+        const Vec3& normal = faceNormals_[corner / 3];
+        if (normal == Vec3(0.0)) continue;
+        wanted = wanted || slot(corner) == kNone;
+        shares_.push_back({normal, 0.0});
+        corners_.push_back(corner);
+    }
+    if (!wanted) return false;
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+        shares_[i].weight = angleAt(mesh_, corners_[i]);
+    }
+    return true;
+}
+
+NormalSum VertexSmoother::sumAround(const Vec3& normal) const {
+    if (shares_.size() >= kManyFaces) return tree_.sumWithin(normal, cosLimit_);
+    NormalSum sum;
+    for (const WeightedNormal& share : shares_) {
+        if (glm::dot(normal, share.normal) >= cosLimit_) sum.add(share);
+    }
+    return sum;
+}
+
+Index VertexSmoother::store(const NormalSum& sum) {
+    const double size = length(sum.vector);
+    // What is left after cancellation to rounding has no direction.
+    if (!(size > gamma(4) * static_cast<double>(sum.count) * sum.weight)) return kNone;
+    mesh_.normals.push_back(sum.vector / size);
+    return static_cast<Index>(mesh_.normals.size() - 1);
+}
+
+void VertexSmoother::smooth(std::span<const Index> corners) {
+    if (!gather(corners)) return;
+    if (shares_.size() >= kManyFaces) tree_.build(shares_);
+    results_.clear();
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        if (slot(corners_[i]) != kNone) continue;
+        const NormalSum sum = sumAround(shares_[i].normal);
+        if (sum.allEqual) continue;
+        // Most vertices are smooth all round or have a few creases: the last results come again.
+        const std::size_t looked = std::min(results_.size(), kManyFaces);
+        const auto same =
+            std::find_if(results_.end() - static_cast<std::ptrdiff_t>(looked), results_.end(),
+                         [&](const Result& known) { return known.sum.vector == sum.vector; });
+        if (same == results_.end()) {
+            results_.push_back({sum, store(sum)});
+            slot(corners_[i]) = results_.back().normal;
+        } else {
+            slot(corners_[i]) = same->normal;
+        }
+    }
+}
+
+/// Turns the marks into kNone; true if some corner has a normal.
+bool settleMarks(TriangleMesh& mesh) {
+    bool any = false;
+    for (TriangleMesh::Corners& corners : mesh.normalCorners) {
+        for (Index& corner : corners) {
+            if (corner == kGeometricNormal) corner = kNone;
+            any = any || corner != kNone;
+        }
+    }
+    return any;
+}
+
+}  // namespace
+
+Vec3 normalizedOrZero(const Vec3& v) {
+    const Vec3 scaled = scaledNearOne(v);
+    const double size = length(scaled);
+    return size > 0.0 && size < kInfinity ? scaled / size : Vec3(0.0);
+}
+
+Vec3 unitFaceNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return normalizedOrZero(accurateCross(edgeDirection(a, b), edgeDirection(a, c)));
+}
+
+void smoothNormals(TriangleMesh& mesh, const MeshTopology& topology,
+                   std::span<const Vec3> faceNormals, double smoothAngleDegrees) {
+    if (mesh.normalCorners.empty()) {
+        mesh.normalCorners.assign(mesh.triangles.size(), {kNone, kNone, kNone});
+    }
+    if (smoothAngleDegrees > 0.0) {
+        // At 180 degrees rounding must not part opposite faces.
+        const double cosLimit = smoothAngleDegrees >= 180.0
+                                    ? -kInfinity
+                                    : portable::cosDegrees(smoothAngleDegrees) - kUnitDotError;
+        VertexSmoother smoother(mesh, faceNormals, cosLimit);
+        for (std::size_t v = 0; v < topology.vertexCount(); ++v) {
+            smoother.smooth(topology.cornersAt(static_cast<Index>(v)));
+        }
+    }
+    if (!settleMarks(mesh)) mesh.normalCorners = {};
+}
+
+}  // namespace rt
