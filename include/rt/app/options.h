@@ -1,0 +1,122 @@
+// The command line: what was asked for, and the one table that says what can be asked for.
+#pragma once
+
+#include "rt/scene/render_options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+enum class Command { kRender, kCompare, kHelp, kVersion };
+
+enum class ColorMode { kAuto, kAlways, kNever };
+
+/// In pixels; both at least 1.
+struct ImageSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// The pixels with x0 <= x < x1 and y0 <= y < y1; x0 < x1 and y0 < y1.
+struct Crop {
+    int x0 = 0;
+    int y0 = 0;
+    int x1 = 0;
+    int y1 = 0;
+};
+
+/// Frame numbers, both included, first <= last.
+struct FrameRange {
+    std::int64_t first = 1;
+    std::int64_t last = 1;
+};
+
+/// Part `index` of `count`, 1 <= index <= count.
+struct Shard {
+    int index = 1;
+    int count = 1;
+};
+
+/// `compare A B`.
+struct CompareOptions {
+    std::string first;
+    std::string second;
+    std::optional<double> tolerance;  ///< largest RMSE that passes
+};
+
+struct Options {
+    Command command = Command::kRender;
+    CompareOptions compare;
+
+    std::vector<std::string> scenes;           ///< "-" is stdin; never empty for kRender
+    bool defaultScene = false;                 ///< none was named: scenes is {kDefaultScene}
+    std::vector<std::string> scriptArguments;  ///< what follows "--"
+    RenderOptions render;                      ///< what the script may say too
+
+    std::optional<std::string> output;  ///< "-" is stdout
+    std::optional<ImageSize> size;
+    std::optional<Crop> crop;
+    std::optional<FrameRange> frames;
+    std::optional<Shard> shard;
+    std::optional<std::string> stats;  ///< file
+
+    int threads = 0;                 ///< 0: as many as this process may use
+    std::optional<std::string> isa;  ///< baseline, avx2, avx512; none: the best that runs here
+
+    std::map<std::string, std::string> parameters;  ///< -D name=value
+    bool trust = false;
+    std::size_t scriptMemory = std::size_t{2} << 30;  ///< bytes
+    double scriptTime = 0.0;                          ///< seconds; 0 = no limit
+    std::int64_t maxPixels = std::int64_t{1} << 27;   ///< of one image
+    std::int64_t maxInstances = 10'000'000;           ///< of geometry, after expansion
+    bool legacyTransforms = false;
+
+    bool explain = false;
+    bool check = false;
+    bool listParams = false;
+    bool failFast = false;
+    bool werror = false;
+    bool quiet = false;
+    bool verbose = false;
+    ColorMode color = ColorMode::kAuto;
+};
+
+/// What is asked for by the arguments after the program's name. Throws UsageError, and LimitError
+/// for more frames than kMostFrames. Nothing is read from the environment or from files.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+inline constexpr std::int64_t kMostFrames = 1'000'000;
+inline constexpr int kMostThreads = 1024;
+inline constexpr const char* kDefaultScene = "project.lua";
+
+/// One option as --help shows it.
+struct OptionHelp {
+    std::string section;
+    std::string flags;      ///< "-j, --threads"
+    std::string valueName;  ///< "" for a flag
+    std::string text;
+};
+
+/// Every option there is, the shared ones of optionTable() included, in the order of --help.
+std::vector<OptionHelp> optionHelp();
+
+std::string helpText();
+std::string versionText();
+
+/// "Usage: ./Project [scene.lua ...] [options] [-- script arguments]".
+std::string usageLine();
+
+/// The part of `crop` that lies in an image, and whether that is less than was asked for.
+/// Throws UsageError if nothing is left.
+std::pair<Crop, bool> clipped(const Crop& crop, int width, int height);
+
+/// Throws SceneError with a hint at the usage if no scene was named and there is no project.lua.
+void requireDefaultScene(const Options& options);
+
+}  // namespace rt

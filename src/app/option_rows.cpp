@@ -1,0 +1,156 @@
+#include "option_rows.h"
+
+#include "option_values.h"
+#include "rt/core/error.h"
+
+#include <limits>
+
+namespace rt {
+namespace {
+
+constexpr const char* kOutput = "Output";
+constexpr const char* kQuality = "Quality (a script can say these too, with gr.options)";
+constexpr const char* kScript = "Script";
+constexpr const char* kRun = "Run";
+constexpr const char* kMessages = "Messages";
+
+using Rows = std::vector<CommandRow>;
+
+CommandRow flag(const char* section, const char* flags, const char* text, bool Options::*member) {
+    const std::string name = flags;
+    return {section, flags, "", text, [member, name](Options& o, const std::string& value) {
+                o.*member = wordFrom(name, value, {"true", "false"}) == 0;
+            }};
+}
+
+void addOutputRows(Rows& rows) {
+    rows.push_back({kOutput, "-o", "FILE",
+                    "where the image goes, instead of where the script says; - is stdout; a # "
+                    "becomes the number of the frame or image",
+                    [](Options& o, const std::string& v) {
+                        if (v.empty()) throw UsageError("-o: the name of the file is empty");
+                        o.output = v;
+                    }});
+    rows.push_back({kOutput, "--size", "WxH", "size of the image in pixels",
+                    [](Options& o, const std::string& v) { o.size = sizeFrom("--size", v); }});
+    rows.push_back({kOutput, "--crop", "x0,y0,x1,y1",
+                    "render and write these pixels only: x0 <= x < x1, y0 <= y < y1",
+                    [](Options& o, const std::string& v) { o.crop = cropFrom("--crop", v); }});
+    rows.push_back(
+        {kOutput, "--frames", "A-B", "render an animation's frames A to B",
+         [](Options& o, const std::string& v) { o.frames = framesFrom("--frames", v); }});
+    rows.push_back({kOutput, "--shard", "i/n", "render part i of n of the image",
+                    [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});
+    rows.push_back({kOutput, "--stats", "FILE", "write statistics as JSON",
+                    [](Options& o, const std::string& v) {
+                        if (v.empty()) throw UsageError("--stats: the name of the file is empty");
+                        o.stats = v;
+                    }});
+}
+
+std::string sharedText(const OptionRow& row) {
+    std::string text = row.help;
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+        text += (i == 0 ? ": " : ", ") + row.choices[i];
+    }
+    return text;
+}
+
+void addSharedRows(Rows& rows) {
+    for (const OptionRow& row : optionTable()) {
+        rows.push_back(
+            {kQuality, "--" + std::string(row.name), row.valueName, sharedText(row),
+             [&row](Options& o, const std::string& v) { storeShared(row, v, o.render); }});
+    }
+}
+
+void addScriptRows(Rows& rows) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    rows.push_back({kScript, "-D", "name=value", "set a parameter of the script (gr.param)",
+                    [](Options& o, const std::string& v) {
+                        const auto [name, value] = parameterFrom("-D", v);
+                        o.parameters[name] = value;
+                    }});
+    rows.push_back(flag(kScript, "--list-params", "list the script's parameters and render nothing",
+                        &Options::listParams));
+    rows.push_back(
+        flag(kScript, "--trust", "let the script read and write files anywhere", &Options::trust));
+    rows.push_back({kScript, "--script-memory", "BYTES",
+                    "most memory of a script, with K, M or G; default 2G",
+                    [](Options& o, const std::string& v) {
+                        o.scriptMemory = bytesFrom("--script-memory", v);
+                    }});
+    rows.push_back({kScript, "--script-time", "S", "most seconds of a script; default 0, no limit",
+                    [](Options& o, const std::string& v) {
+                        o.scriptTime = numberFrom("--script-time", v, 0.0);
+                    }});
+    rows.push_back({kScript, "--max-pixels", "N", "most pixels of an image; default 134217728",
+                    [](Options& o, const std::string& v) {
+                        o.maxPixels = wholeIn("--max-pixels", v, 1, kMost);
+                    }});
+    rows.push_back({kScript, "--max-instances", "N",
+                    "most objects after instancing; default 10000000",
+                    [](Options& o, const std::string& v) {
+                        o.maxInstances = wholeIn("--max-instances", v, 1, kMost);
+                    }});
+    rows.push_back(flag(kScript, "--legacy-transforms",
+                        "multiply transforms from the right, as scenes of before 2015 expect",
+                        &Options::legacyTransforms));
+}
+
+void addRunRows(Rows& rows) {
+    rows.push_back({kRun, "-j,--threads", "N",
+                    "number of threads; default 0, the cores that this process may use",
+                    [](Options& o, const std::string& v) {
+                        o.threads = static_cast<int>(wholeIn("--threads", v, 0, kMostThreads));
+                    }});
+    rows.push_back({kRun, "--isa", "NAME",
+                    "instruction set, which changes no image: baseline, avx2, avx512",
+                    [](Options& o, const std::string& v) {
+                        wordFrom("--isa", v, {"baseline", "avx2", "avx512"});
+                        o.isa = v;
+                    }});
+    rows.push_back(
+        flag(kRun, "--check", "run the script, load everything, render nothing", &Options::check));
+    rows.push_back(flag(kRun, "--explain",
+                        "say which features the scene uses, and which its render leaves out",
+                        &Options::explain));
+    rows.push_back(flag(kRun, "--fail-fast", "stop at the first of several scenes that fails",
+                        &Options::failFast));
+}
+
+void addMessageRows(Rows& rows) {
+    rows.push_back(flag(kMessages, "--werror", "a warning is an error", &Options::werror));
+    rows.push_back(
+        flag(kMessages, "-q,--quiet", "no progress, and nothing at the end", &Options::quiet));
+    rows.push_back(flag(kMessages, "-v,--verbose", "more about errors and what is going on",
+                        &Options::verbose));
+    rows.push_back(
+        {kMessages, "--color", "WHEN", "colours in messages: auto, always, never",
+         [](Options& o, const std::string& v) {
+             o.color = static_cast<ColorMode>(wordFrom("--color", v, {"auto", "always", "never"}));
+         }});
+    rows.push_back({kMessages, "-h,--help", "", "show this",
+                    [](Options& o, const std::string&) { o.command = Command::kHelp; }});
+    rows.push_back(
+        {kMessages, "--version", "", "show the version", [](Options& o, const std::string&) {
+             if (o.command != Command::kHelp) o.command = Command::kVersion;
+         }});
+}
+
+}  // namespace
+
+const std::vector<CommandRow>& commandRows() {
+    static const Rows table = [] {
+        Rows rows;
+        addOutputRows(rows);
+        addSharedRows(rows);
+        addScriptRows(rows);
+        addRunRows(rows);
+        addMessageRows(rows);
+        return rows;
+    }();
+    return table;
+}
+
+}  // namespace rt
