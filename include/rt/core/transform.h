@@ -31,7 +31,9 @@ class Transform {
   public:
     Transform() = default;
 
-    /// False where the map or its inverse is singular or not finite; `out` is then untouched.
+    /// False where the map or its inverse is singular or not finite; `out` is then untouched. A map
+    /// counts as singular when changing its entries by a few roundings could make it so. The
+    /// inverse's entries are off by about a rounding each, whatever the scales.
     [[nodiscard]] static bool make(const Affine& toWorld, Transform& out);
 
     const Affine& toWorld() const { return toWorld_; }
@@ -40,20 +42,30 @@ class Transform {
     /// A mirroring map, of negative determinant.
     bool flips() const { return flips_; }
 
-    /// The ray in object space; t means the same point on both.
+    /// The ray in object space; t means the same point on both. Off by a few roundings of the
+    /// result, for maps of condition up to 1e8.
     Ray toObject(const Ray& world) const;
-    /// An object-space normal, of any length, as a unit normal of the world.
+    /// An object-space normal, of any length but zero, as a unit normal of the world: by the
+    /// inverse transpose, so that the outside stays the outside under a mirroring map too.
     Vec3 normalToWorld(const Vec3& normal) const;
     /// A box that contains the image of `object`, roundings included.
     Bounds boundsToWorld(const Bounds& object) const;
     /// Bound on the world-space distance between the image of a point and its computed image,
-    /// when the object-space point is off by at most `objectError`.
+    /// when the object-space point is off by at most `objectError`; plus what mapping that image
+    /// back with `toObject` is off by, seen in the world. So a ray that starts further than this
+    /// from the surface starts on the same side of it in object space.
     double errorToWorld(const Vec3& objectPoint, double objectError) const;
 
   private:
     Affine toWorld_;
     Affine toObject_;
+    /// What the way to object space and back is off by, relative to |linear| |object point|.
+    double wayBack_ = 0.0;
+    /// Bound on the length of the image of a vector of length 1.
+    double stretch_ = 1.0;
     bool identity_ = true;
+    /// Turns and scales that do not make the roundings of `toObject` grow.
+    bool even_ = true;
     bool flips_ = false;
 };
 

@@ -1,0 +1,302 @@
+#include "rt/core/transform.h"
+
+#include "rt/core/numeric.h"
+#include "rt/math/portable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+constexpr double kSquareRootOf3 = 1.7320508075688774;
+
+/// An unevaluated sum of two doubles, about 106 bits.
+struct Long {
+    double high = 0.0;
+    double low = 0.0;
+};
+
+Long normalised(double high, double low) {
+    const TwoTerms sum = exactSum(high, low);
+    return {sum.value, sum.error};
+}
+
+Long operator+(const Long& a, const Long& b) {
+    const TwoTerms high = exactSum(a.high, b.high);
+    return normalised(high.value, high.error + (a.low + b.low));
+}
+
+Long operator*(const Long& a, double b) {
+    const TwoTerms high = exactProduct(a.high, b);
+    return normalised(high.value, std::fma(a.low, b, high.error));
+}
+
+double quotient(const Long& a, const Long& b) {
+    const double rough = a.high / b.high;
+    const double rest = std::fma(-rough, b.high, a.high) + (a.low - rough * b.low);
+    return rough + rest / b.high;
+}
+
+/// a b - c d
+Long minor(double a, double b, double c, double d) {
+    const TwoTerms ab = exactProduct(a, b);
+    const TwoTerms cd = exactProduct(-c, d);
+    return Long{ab.value, ab.error} + Long{cd.value, cd.error};
+}
+
+bool isFinite(const Mat3& m) {
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            if (!std::isfinite(m[column][row])) return false;
+        }
+    }
+    return true;
+}
+
+bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+double largest(double a, double b, double c) {
+    return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c)));
+}
+
+/// A matrix whose rows and columns have been brought near 1 by powers of two, so that no product of
+/// three entries leaves the range of double: m[c][r] = equilibrated[c][r] 2^(row[r] + column[c]).
+struct Equilibrated {
+    Mat3 matrix{1.0};
+    int row[3] = {};
+    int column[3] = {};
+};
+
+/// False where a row or column is zero.
+bool equilibrate(const Mat3& m, Equilibrated& out) {
+    for (int r = 0; r < 3; ++r) {
+        const double most = largest(m[0][r], m[1][r], m[2][r]);
+        if (!(most > 0.0)) return false;
+        out.row[r] = std::ilogb(most);
+        for (int c = 0; c < 3; ++c) out.matrix[c][r] = std::ldexp(m[c][r], -out.row[r]);
+    }
+    for (int c = 0; c < 3; ++c) {
+        Vec3& entries = out.matrix[c];
+        const double most = largest(entries.x, entries.y, entries.z);
+        if (!(most > 0.0)) return false;
+        out.column[c] = std::ilogb(most);
+        for (int r = 0; r < 3; ++r) entries[r] = std::ldexp(entries[r], -out.column[c]);
+    }
+    return true;
+}
+
+/// |a| |b|, the largest row sum.
+double absoluteRowSum(const Mat3& a, const Mat3& b) {
+    double most = 0.0;
+    for (int r = 0; r < 3; ++r) {
+        double sum = 0.0;
+        for (int c = 0; c < 3; ++c) {
+            for (int k = 0; k < 3; ++k) sum += std::fabs(a[k][r]) * std::fabs(b[c][k]);
+        }
+        most = std::max(most, sum);
+    }
+    return most;
+}
+
+/// Bound on the length of the image of a unit vector: the root of the largest row sum times the
+/// largest column sum (Higham 2002, section 6.3), exact for scales along the axes.
+double longestImage(const Mat3& m) {
+    double row = 0.0;
+    double column = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        row = std::max(row, std::fabs(m[0][i]) + std::fabs(m[1][i]) + std::fabs(m[2][i]));
+        column = std::max(column, std::fabs(m[i].x) + std::fabs(m[i].y) + std::fabs(m[i].z));
+    }
+    return std::sqrt(row) * std::sqrt(column) * (1.0 + gamma(8));
+}
+
+Vec3 product(const Mat3& m, const Vec3& v) {
+    return Vec3(m[0].x * v.x + m[1].x * v.y + m[2].x * v.z,
+                m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
+                m[0].z * v.x + m[1].z * v.y + m[2].z * v.z);
+}
+
+/// w + wError - row . x in twice the precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product,
+/// SIAM J. Sci. Comput. 26, 2005).
+double residual(double w, double wError, double rowX, double rowY, double rowZ, const Vec3& x) {
+    const TwoTerms a = exactProduct(-rowX, x.x);
+    const TwoTerms b = exactProduct(-rowY, x.y);
+    const TwoTerms c = exactProduct(-rowZ, x.z);
+    const TwoTerms first = exactSum(w, a.value);
+    const TwoTerms second = exactSum(first.value, b.value);
+    const TwoTerms third = exactSum(second.value, c.value);
+    return third.value + ((wError + (a.error + first.error)) + (b.error + second.error) +
+                          (c.error + third.error));
+}
+
+/// One step of iterative refinement of `map` x = w + wError (Higham 2002, chapter 12): the terms of
+/// inverse w cancel where turns lie on both sides of uneven scales, and the step mends that.
+Vec3 refined(const Mat3& map, const Mat3& inverse, const Vec3& w, const Vec3& wError,
+             const Vec3& x) {
+    const Vec3 rest(residual(w.x, wError.x, map[0].x, map[1].x, map[2].x, x),
+                    residual(w.y, wError.y, map[0].y, map[1].y, map[2].y, x),
+                    residual(w.z, wError.z, map[0].z, map[1].z, map[2].z, x));
+    const Vec3 step = product(inverse, rest);
+    return Vec3(x.x + step.x, x.y + step.y, x.z + step.z);
+}
+
+/// The adjugate over the determinant, in twice the precision: the entries are then right to about
+/// a rounding even where scales of 1e-6 and 1e6 lie between turns. False where singular.
+bool invert(const Mat3& m, Mat3& inverse, double& determinantSign) {
+    Equilibrated even;
+    if (!equilibrate(m, even)) return false;
+    const Mat3& e = even.matrix;
+    Long cofactor[3][3];
+    for (int c = 0; c < 3; ++c) {
+        const int c1 = (c + 1) % 3;
+        const int c2 = (c + 2) % 3;
+        for (int r = 0; r < 3; ++r) {
+            const int r1 = (r + 1) % 3;
+            const int r2 = (r + 2) % 3;
+            cofactor[c][r] = minor(e[c1][r1], e[c2][r2], e[c1][r2], e[c2][r1]);
+        }
+    }
+    const Long determinant =
+        cofactor[0][0] * e[0][0] + cofactor[0][1] * e[0][1] + cofactor[0][2] * e[0][2];
+    if (!(std::fabs(determinant.high) > 0.0)) return false;
+    Mat3 evenInverse;
+    for (int c = 0; c < 3; ++c) {
+        for (int r = 0; r < 3; ++r) {
+            evenInverse[r][c] = quotient(cofactor[c][r], determinant);
+            inverse[r][c] = std::ldexp(evenInverse[r][c], -even.row[r] - even.column[c]);
+        }
+    }
+    determinantSign = determinant.high;
+    return isFinite(inverse) && absoluteRowSum(evenInverse, e) < kLargestCondition;
+}
+
+}  // namespace
+
+bool Affine::isFinite() const {
+    return rt::isFinite(linear) && rt::isFinite(translation);
+}
+
+bool Affine::isIdentity() const {
+    return linear == Mat3(1.0) && translation == Vec3(0.0);
+}
+
+Affine Affine::translate(const Vec3& by) {
+    return {Mat3(1.0), by};
+}
+
+Affine Affine::scale(const Vec3& by) {
+    Affine map;
+    for (int axis = 0; axis < 3; ++axis) map.linear[axis][axis] = by[axis];
+    return map;
+}
+
+Affine Affine::rotate(int axis, double degrees) {
+    const double cosine = portable::cosDegrees(degrees);
+    const double sine = portable::sinDegrees(degrees);
+    const int next = (axis + 1) % 3;
+    const int afterNext = (axis + 2) % 3;
+    Affine map;
+    map.linear[next][next] = cosine;
+    map.linear[next][afterNext] = sine;
+    map.linear[afterNext][next] = -sine;
+    map.linear[afterNext][afterNext] = cosine;
+    return map;
+}
+
+Affine compose(const Affine& second, const Affine& first) {
+    return {second.linear * first.linear, second.point(first.translation)};
+}
+
+bool Transform::make(const Affine& toWorld, Transform& out) {
+    if (!toWorld.isFinite()) return false;
+    Transform made;
+    made.toWorld_ = toWorld;
+    if (!toWorld.isIdentity()) {
+        double determinantSign = 0.0;
+        if (!invert(toWorld.linear, made.toObject_.linear, determinantSign)) return false;
+        made.toObject_.translation = -made.toObject_.vector(toWorld.translation);
+        if (!made.toObject_.isFinite()) return false;
+        made.stretch_ = longestImage(toWorld.linear);
+        made.even_ = absoluteRowSum(made.toObject_.linear, toWorld.linear) <= kEvenCondition;
+        // The inverse's entry, a difference, a product and two sums, carried back to the world; the
+        // refined way squares them, and rounds once.
+        const double plain = gamma(7) * absoluteRowSum(toWorld.linear, made.toObject_.linear);
+        made.wayBack_ = made.even_ ? plain : gamma(2) + plain * plain;
+        made.identity_ = false;
+        made.flips_ = determinantSign < 0.0;
+    }
+    out = made;
+    return true;
+}
+
+Ray Transform::toObject(const Ray& world) const {
+    if (identity_) return world;
+    const Mat3& inverse = toObject_.linear;
+    // Taking the translation off first loses less than adding the inverse's own translation.
+    const TwoTerms x = exactDifference(world.origin.x, toWorld_.translation.x);
+    const TwoTerms y = exactDifference(world.origin.y, toWorld_.translation.y);
+    const TwoTerms z = exactDifference(world.origin.z, toWorld_.translation.z);
+    const Vec3 offset(x.value, y.value, z.value);
+    const Ray object{product(inverse, offset), product(inverse, world.direction)};
+    if (even_) return object;
+    const Mat3& map = toWorld_.linear;
+    return {refined(map, inverse, offset, Vec3(x.error, y.error, z.error), object.origin),
+            refined(map, inverse, world.direction, Vec3(0.0), object.direction)};
+}
+
+Vec3 Transform::normalToWorld(const Vec3& normal) const {
+    // Brought near 1 before each use of squares or products: lengths may be 1e-150 or 1e150.
+    const Vec3 n = normal / largest(normal.x, normal.y, normal.z);
+    const Mat3& m = toObject_.linear;
+    Vec3 turned = n;
+    if (!identity_) {
+        turned = Vec3(m[0].x * n.x + m[0].y * n.y + m[0].z * n.z,
+                      m[1].x * n.x + m[1].y * n.y + m[1].z * n.z,
+                      m[2].x * n.x + m[2].y * n.y + m[2].z * n.z);
+        turned /= largest(turned.x, turned.y, turned.z);
+    }
+    const double square = turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
+    return turned / std::sqrt(square);
+}
+
+Bounds Transform::boundsToWorld(const Bounds& object) const {
+    if (identity_ || object.isEmpty()) return object;
+    Bounds world;
+    for (int r = 0; r < 3; ++r) {
+        double low = toWorld_.translation[r];
+        double high = low;
+        double size = std::fabs(low);
+        for (int c = 0; c < 3; ++c) {
+            const double a = toWorld_.linear[c][r] * object.min[c];
+            const double b = toWorld_.linear[c][r] * object.max[c];
+            low += std::min(a, b);
+            high += std::max(a, b);
+            size += std::max(std::fabs(a), std::fabs(b));
+        }
+        // A product and up to three sums each; the size itself and the subtraction round too.
+        world.min[r] = low - gamma(8) * size;
+        world.max[r] = high + gamma(8) * size;
+    }
+    return world;
+}
+
+double Transform::errorToWorld(const Vec3& objectPoint, double objectError) const {
+    if (identity_) return objectError;
+    const Mat3& m = toWorld_.linear;
+    const Vec3 p(std::fabs(objectPoint.x), std::fabs(objectPoint.y), std::fabs(objectPoint.z));
+    double size = 0.0;
+    for (int r = 0; r < 3; ++r) {
+        size = std::max(
+            size, std::fabs(m[0][r]) * p.x + std::fabs(m[1][r]) * p.y + std::fabs(m[2][r]) * p.z);
+    }
+    const Vec3& t = toWorld_.translation;
+    const double offset = largest(t.x, t.y, t.z);
+    // A product and three sums for each coordinate, and the sums above.
+    return stretch_ * objectError * (1.0 + gamma(4)) +
+           kSquareRootOf3 * (gamma(7) * (size + offset) + wayBack_ * size);
+}
+
+}  // namespace rt
