@@ -26,6 +26,7 @@ struct Window {
     double unit;
     Interval range;
 
+    double start() const { return (range.min - tFoot) / unit; }
     double t(double s) const { return std::fma(s, unit, tFoot); }
     bool contains(double s) const { return range.contains(t(s)); }
     bool endsBefore(double s) const { return !(t(s) < range.max); }
@@ -72,7 +73,7 @@ double secantMinimum(const Sample& low, const Sample& high) {
     return (low.s * b - high.s * a) / (b - a);
 }
 
-/// The first root in `window` between two samples outside the sheet.
+/// The first root in `window` between two samples, the second outside the sheet.
 bool nearestOnSheet(const Sheet& sheet, const Sample& low, const Sample& high, const Window& window,
                     double& s) {
     const double halfWidth = sheet.concaveHalfWidth();
@@ -100,6 +101,43 @@ bool nearestOnSheet(const Sheet& sheet, const Sample& low, const Sample& high, c
            nearestOnStretch(sheet, to, high, 1.0, secantMinimum(to, high), window, s);
 }
 
+/// The first root in `window` between `from` and `to`, both outside the sheet.
+bool nearestBetween(const Sheet& sheet, double from, double to, const Window& window, double& s) {
+    bool isAhead = !window.startsAfter(from);
+    Sample low = sheet.sample(isAhead ? from : window.start());
+    if (!isAhead) {
+        // Roots behind the ray's start need no search where the start is clear of the surface.
+        isAhead = std::fabs(low.value) > sheet.blur();
+        if (!isAhead) low = sheet.sample(from);
+    }
+    if (isAhead && low.isOutside()) {
+        s = sheet.entryAfter(low, to);
+        if (!window.startsAfter(s)) return window.contains(s);
+    }
+    return nearestOnSheet(sheet, low, sheet.sample(to), window, s);
+}
+
+/// For directions so short or long that their powers would leave the doubles: the same with the
+/// direction scaled by a power of two.
+bool intersectRescaled(const Torus& torus, const Ray& ray, Interval range, PrimitiveHit& hit) {
+    const Vec3 size = glm::abs(ray.direction);
+    if (!(size.x < kInfinity && size.y < kInfinity && size.z < kInfinity)) return false;
+    const double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > 0.0)) return false;
+    int exponent = 0;
+    std::frexp(longest, &exponent);
+    const Vec3 direction(std::ldexp(ray.direction.x, -exponent),
+                         std::ldexp(ray.direction.y, -exponent),
+                         std::ldexp(ray.direction.z, -exponent));
+    const Interval scaled{std::ldexp(range.min, exponent), std::ldexp(range.max, exponent)};
+    PrimitiveHit found;
+    if (!torus.intersect({ray.origin, direction}, scaled, found)) return false;
+    found.t = std::ldexp(found.t, -exponent);
+    if (!range.contains(found.t)) return false;
+    hit = found;
+    return true;
+}
+
 /// Narrows [from, to] to where |f + s d| <= limit, one coordinate. A NaN, from a line in the very
 /// face, narrows nothing.
 void clipToSlab(double f, double d, double limit, double& from, double& to) {
@@ -117,6 +155,29 @@ double turns(double y, double x) {
     const double angle = portable::atan2(y, x) / (2.0 * std::numbers::pi);
     const double positive = angle < 0.0 ? angle + 1.0 : angle;
     return positive < 1.0 ? positive : 0.0;
+}
+
+/// The stretch of the line inside the sphere of radius R + r and between the planes z = -r and r,
+/// a little widened, so that its ends are outside the torus. False where there is none, or where it
+/// passes through the hole.
+bool enclose(const Line& line, double major, double minor, double perDd, double& from, double& to) {
+    const Vec3& f = line.foot;
+    const Vec3& d = line.direction;
+    const double outer = major + minor;
+    const double slack = outer * kTorusSlack;
+    const double reach = outer + slack;
+    const double h = std::fma(f.x, d.x, std::fma(f.y, d.y, f.z * d.z));
+    const double away = std::fma(f.x, f.x, std::fma(f.y, f.y, f.z * f.z));
+    const double chord = std::fma(h, h, line.directionSquared * (reach * reach - away));
+    if (!(chord > 0.0)) return false;
+    const double root = std::sqrt(chord);
+    from = (-h - root) * perDd;
+    to = (-h + root) * perDd;
+    clipToSlab(f.z, d.z, minor + slack, from, to);
+    if (!(from < to)) return false;
+    const double hole = major - minor - slack;
+    return !(hole > 0.0 && line.axisDistanceSquared(from) < hole * hole &&
+             line.axisDistanceSquared(to) < hole * hole);
 }
 
 }  // namespace
@@ -151,43 +212,37 @@ Bounds Torus::bounds() const {
 bool Torus::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
     const Vec3& d = ray.direction;
     const double dd = std::fma(d.x, d.x, std::fma(d.y, d.y, d.z * d.z));
+    if (!(kTorusLeastSpeed < dd && dd < 1.0 / kTorusLeastSpeed)) {
+        return intersectRescaled(*this, ray, range, hit);
+    }
     const TwoTerms qx = exactDifference(ray.origin.x, centre_.x);
     const TwoTerms qy = exactDifference(ray.origin.y, centre_.y);
     const TwoTerms qz = exactDifference(ray.origin.z, centre_.z);
     const double along = std::fma(qx.value, d.x, std::fma(qy.value, d.y, qz.value * d.z));
-    const double tFoot = -along / dd;
+    const double perDd = 1.0 / dd;
+    const double tFoot = -along * perDd;
     const Vec3 foot((std::fma(tFoot, d.x, qx.value) + qx.error) * perUnit_,
                     (std::fma(tFoot, d.y, qy.value) + qy.error) * perUnit_,
                     (std::fma(tFoot, d.z, qz.value) + qz.error) * perUnit_);
 
-    const double outer = scaledMajor_ + scaledMinor_;
-    const double reach = outer + outer * kTorusSlack;
-    const double h = std::fma(foot.x, d.x, std::fma(foot.y, d.y, foot.z * d.z));
-    const double away = std::fma(foot.x, foot.x, std::fma(foot.y, foot.y, foot.z * foot.z));
-    const double chord = std::fma(h, h, dd * (reach * reach - away));
-    if (!(chord > 0.0)) return false;
-    const double root = std::sqrt(chord);
-    double from = (-h - root) / dd;
-    double to = (-h + root) / dd;
-    clipToSlab(foot.z, d.z, scaledMinor_ + outer * kTorusSlack, from, to);
-    const Window window{tFoot, unit_, range};
-    if (!(from < to) || window.startsAfter(to) || window.endsBefore(from)) return false;
-
     const Line line(foot, d, dd);
+    double from = 0.0;
+    double to = 0.0;
+    if (!enclose(line, scaledMajor_, scaledMinor_, perDd, from, to)) return false;
+    const Window window{tFoot, unit_, range};
+    if (window.startsAfter(to) || window.endsBefore(from)) return false;
+
     const Sheet sheet(line, scaledMajor_, scaledMinor_);
-    const Sample low = sheet.sample(from);
-    const Sample high = sheet.sample(to);
-    const double hole = scaledMajor_ - scaledMinor_ - outer * kTorusSlack;
-    if (low.rho < hole && high.rho < hole) return false;
     double s = 0.0;
-    bool found = nearestOnSheet(sheet, low, high, window, s);
+    bool found = nearestBetween(sheet, from, to, window, s);
     Index part = kOuterSheet;
-    if (scaledMinor_ > scaledMajor_) {
+    if (scaledMinor_ > scaledMajor_ && window.startsAfter(from)) {
+        // Only from within the outer sheet is the inner one met first.
         const Sheet lemon(line, -scaledMajor_, scaledMinor_);
         Window before = window;
         if (found) before.range.max = window.t(s);
         double inner = 0.0;
-        if (nearestOnSheet(lemon, lemon.sample(from), lemon.sample(to), before, inner)) {
+        if (nearestBetween(lemon, from, to, before, inner)) {
             s = inner;
             part = kLemon;
             found = true;
@@ -209,7 +264,9 @@ SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
     const double sine = rho > 0.0 ? p.y / rho : 0.0;
     const double radial = rho - side * scaledMajor_;
     const double fromCircle = std::sqrt(std::fma(radial, radial, p.z * p.z));
-    const double outward = side / fromCircle;
+    // A tube far thinner than the roundings of R has no side.
+    const double across = fromCircle > 0.0 ? radial / fromCircle : 1.0;
+    const double up = fromCircle > 0.0 ? p.z / fromCircle : 0.0;
     const double turn = 2.0 * std::numbers::pi * unit_;
 
     SurfacePoint at;
@@ -218,8 +275,9 @@ SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
     const double inside = residual + kTorusPointError * (scaledMajor_ + scaledMinor_ + residual);
     at.error = inside * unit_ +
                gamma(2) * (std::fabs(at.point.x) + std::fabs(at.point.y) + std::fabs(at.point.z));
-    at.normal = outward * Vec3(cosine * radial, sine * radial, p.z);
+    at.normal = side * Vec3(cosine * across, sine * across, up);
     at.shadingNormal = at.normal;
+    at.shadowOrigin = at.point;
     at.uv = Vec2(turns(p.y, p.x), turns(p.z, side * radial));
     at.dpdu = turn * Vec3(-p.y, p.x, 0.0);
     at.dpdv = turn * side * Vec3(-p.z * cosine, -p.z * sine, radial);

@@ -13,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace rt::torus {
 
@@ -23,6 +24,7 @@ struct Sample {
     double value = 0.0;  // f
     double slope = 0.0;  // rho f' / 2
     double bend = 0.0;   // rho^3 f'' / 2
+    double away = 0.0;   // rho rho'
 
     bool isOutside() const { return value >= 0.0; }
 };
@@ -39,6 +41,12 @@ struct Line {
         axialSquared = std::fma(d.x, d.x, d.y * d.y);
         const double turn = differenceOfProducts(f.x, d.y, f.y, d.x);
         moment = turn * turn;
+    }
+
+    double axisDistanceSquared(double s) const {
+        const double x = std::fma(s, direction.x, foot.x);
+        const double y = std::fma(s, direction.y, foot.y);
+        return std::fma(x, x, y * y);
     }
 
     Vec3 at(double s) const {
@@ -62,11 +70,17 @@ inline double cubeRoot(double x) {
     return y;
 }
 
+inline constexpr double kNoRoot = std::numeric_limits<double>::quiet_NaN();
+
 /// One sheet along one line.
 class Sheet {
   public:
     Sheet(const Line& line, double major, double minor)
-        : line_(line), major_(major), minor_(minor), bendAtAxis_(major * line.moment) {}
+        : line_(line),
+          major_(major),
+          minor_(minor),
+          bendAtAxis_(major * line.moment),
+          scale_(minor * (std::fabs(major) + minor)) {}
 
     Sample sample(double s) const {
         const Vec3 p = line_.at(s);
@@ -77,11 +91,14 @@ class Sheet {
         at.rho = std::sqrt(rhoSquared);
         const double fromCircle = at.rho - major_;
         at.value = std::fma(fromCircle, fromCircle, (p.z - minor_) * (p.z + minor_));
-        const double outward = std::fma(p.x, d.x, p.y * d.y);
-        at.slope = std::fma(fromCircle, outward, at.rho * (p.z * d.z));
+        at.away = std::fma(p.x, d.x, p.y * d.y);
+        at.slope = std::fma(fromCircle, at.away, at.rho * (p.z * d.z));
         at.bend = std::fma(line_.directionSquared * rhoSquared, at.rho, -bendAtAxis_);
         return at;
     }
+
+    /// Beyond this the sign of f is that of the exact f.
+    double blur() const { return kTorusBlur * scale_; }
 
     /// Half the width of the stretch around the point nearest the axis where f is concave: there
     /// rho^3 < R J / d.d. Negative where f is convex throughout. Never so narrow that the slopes at
@@ -103,26 +120,41 @@ class Sheet {
         return -std::fma(f.x, d.x, f.y * d.y) / line_.axialSquared;
     }
 
+    /// The first root after `low` where that is all but certain at a glance, else a NaN: the line
+    /// comes from outside, and f is convex all the way to the root, before `limit`.
+    double entryAfter(const Sample& low, double limit) const {
+        // The parabola that touches f at `low`.
+        const double half = low.slope * low.rho;
+        const double discriminant = std::fma(half, half, -low.value * low.bend * low.rho);
+        if (!(half < 0.0 && low.bend > 0.0 && discriminant > 0.0)) return kNoRoot;
+        double s = low.s + low.value * (low.rho * low.rho) / (std::sqrt(discriminant) - half);
+        for (int i = 0; i < kTorusGlances; ++i) {
+            const Sample at = sample(s);
+            const Step next = step(at);
+            // rho^3 falls, then rises: on one side of the axis f is convex between convex ends.
+            const bool sameSide = (low.away < 0.0) == (at.away < 0.0);
+            if (!(at.slope < 0.0 && at.bend > 0.0 && sameSide)) return kNoRoot;
+            s = s + next.move;
+            if (!(low.s <= s && s <= limit)) return kNoRoot;
+            if (next.isLast) return s;
+        }
+        return kNoRoot;
+    }
+
     /// The root between two samples, one of them outside. `start` is a guess.
     double rootBetween(const Sample& low, const Sample& high, double start) const {
         double from = low.s;
         double to = high.s;
         double s = start;
-        for (int step = 0; step < kTorusMaxSteps; ++step) {
+        for (int i = 0; i < kTorusMaxSteps; ++i) {
             if (!(from < s && s < to)) s = 0.5 * (from + to);
             if (!(from < s && s < to)) break;
             const Sample at = sample(s);
             (at.isOutside() == low.isOutside() ? from : to) = s;
-            // Halley: s - 2 f f' / (2 f'^2 - f f'').
-            const double square = 4.0 * at.slope * at.slope * at.rho;
-            const double bent = at.value * at.bend;
-            const double move = -2.0 * at.value * at.slope * (at.rho * at.rho) / (square - bent);
-            const bool straight = std::fabs(bent) <= kTorusHandover * square;
-            const double reach = kTorusHandover * std::min(at.rho, minor_);
-            if (straight && move * move * line_.directionSquared <= reach * reach) {
-                return std::clamp(s + move, low.s, high.s);
-            }
-            s = s + move;
+            if (std::fabs(at.value) <= kTorusFloor * scale_) return s;
+            const Step next = step(at);
+            s = s + next.move;
+            if (next.isLast && from <= s && s <= to) return s;
         }
         return s;
     }
@@ -131,7 +163,7 @@ class Sheet {
     /// is not; false where there is none, and so no root.
     bool findDip(Sample low, Sample high, double sign, double start, Sample& dip) const {
         if (!(sign * low.slope < 0.0 && sign * high.slope > 0.0)) return false;
-        for (int step = 0; step < kTorusMaxSteps; ++step) {
+        for (int i = 0; i < kTorusMaxSteps; ++i) {
             // A convex function lies above its tangents.
             const double first = low.s - 0.5 * low.value * low.rho / low.slope;
             const double last = high.s - 0.5 * high.value * high.rho / high.slope;
@@ -149,10 +181,27 @@ class Sheet {
     }
 
   private:
+    struct Step {
+        double move;
+        bool isLast;
+    };
+
+    /// Halley's: -2 f f' / (2 f'^2 - f f''). The last one is so short, and f so straight, that its
+    /// error is below a rounding.
+    Step step(const Sample& at) const {
+        const double square = 4.0 * at.slope * at.slope * at.rho;
+        const double bent = at.value * at.bend;
+        const double move = -2.0 * at.value * at.slope * (at.rho * at.rho) / (square - bent);
+        const double reach = kTorusHandover * std::min(at.rho, minor_);
+        return {move, std::fabs(bent) <= kTorusHandover * square &&
+                          move * move * line_.directionSquared <= reach * reach};
+    }
+
     const Line& line_;
     double major_;
     double minor_;
     double bendAtAxis_;
+    double scale_;  // r (R + r): f moves by twice that where a point does by R + r
 };
 
 }  // namespace rt::torus

@@ -80,6 +80,12 @@ inline constexpr double kTorusHandover = 0x1p-18;
 /// the surface is 2 r times as sensitive, and its own sum adds 3 more of r^2; with room to spare.
 inline constexpr double kTorusBlur = 64 * kUnitRoundoff;
 
+/// In the same units: half a rounding of R + r, below which a root is as good as its line.
+inline constexpr double kTorusFloor = kUnitRoundoff;
+
+/// Least square of a direction's length whose third power is still far from underflow.
+inline constexpr double kTorusLeastSpeed = 0x1p-250;
+
 /// How often Halley's iteration is let run unguarded: from a parabola, it takes one to three steps.
 inline constexpr int kTorusGlances = 4;
 
