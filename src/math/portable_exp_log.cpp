@@ -25,7 +25,7 @@ struct Exp {
     RT_KERNEL double evaluate(double x) {
         if (!(x < kExpOverflow)) return x + HUGE_VAL;
         if (x < kExpUnderflow) return 0.0;
-        return scaled(exponential(x, 0.0));
+        return scaled(exponential(x, x, 0.0));
     }
 };
 
@@ -91,7 +91,7 @@ RT_KERNEL double ordinaryPow(double x, double y) {
     const double hi = y * log.hi;
     if (!(hi < kExpOverflow)) return HUGE_VAL;
     if (hi < kExpUnderflow) return 0.0;
-    return scaled(exponential(hi, std::fma(y, log.hi, -hi) + y * log.lo));
+    return scaled(exponential(hi, hi, std::fma(y, log.hi, -hi) + y * log.lo));
 }
 
 /// Annex F for x zero, negative, infinite or NaN, or y infinite or NaN.
@@ -133,8 +133,9 @@ struct PowUnit {
         }
         const DoubleDouble log = logParts(x);
         const double hi = p * log.hi;
-        if (!(hi > kSmallestPower)) return 0.0;
-        const Exponential e = exponential(hi, std::fma(p, log.hi, -hi) + p * log.lo);
+        const double nearest = std::fma(p, log.lo, hi);
+        if (!(nearest > kSmallestPower)) return 0.0;
+        const Exponential e = exponential(nearest, hi, std::fma(p, log.hi, -hi) + p * log.lo);
         return std::fma(e.scale, e.rest, e.scale) * powerOfTwo(e.exponent);
     }
 };

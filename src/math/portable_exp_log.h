@@ -14,11 +14,11 @@ struct Exponential {
     double rest;
 };
 
-/// exp(hi + lo) for |hi| < 2^11, |lo| <= ulp(hi)
+/// exp(hi + lo) for |hi| < 2^11, |lo| < 2^-5; nearest is hi + lo to within 2^-20
 /// (Tang, Table-driven implementation of the exponential function, ACM TOMS 15, 1989).
-RT_KERNEL Exponential exponential(double hi, double lo) {
+RT_KERNEL Exponential exponential(double nearest, double hi, double lo) {
     using namespace tables;
-    const double shifted = hi * (128.0 * kLog2EHi) + kRoundingShift;
+    const double shifted = nearest * (128.0 * kLog2EHi) + kRoundingShift;
     const double n = shifted - kRoundingShift;
     const double r = std::fma(n, -kLn2By128Lo, std::fma(n, -kLn2By128Hi, hi)) + lo;
     const std::int64_t steps = integerOf(shifted);

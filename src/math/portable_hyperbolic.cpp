@@ -25,7 +25,7 @@ struct BothExponentials {
 
 /// exp(x)/2 and exp(-x)/2 for 0 <= x < kOneSided.
 RT_KERNEL BothExponentials halfExponentials(double x) {
-    const Exponential e = exponential(x, 0.0);
+    const Exponential e = exponential(x, x, 0.0);
     const double scale = e.scale * powerOfTwo(e.exponent);
     const DoubleDouble plus = fastTwoSum(scale, scale * e.rest);
     const double inverse = 1.0 / plus.hi;
@@ -50,7 +50,7 @@ RT_KERNEL DoubleDouble sinhSeries(double x) {
 /// exp(a)/2 for a >= kOneSided, also where exp(a) overflows.
 RT_KERNEL double halfExp(double a) {
     if (!(a < 720.0)) return a + HUGE_VAL;
-    Exponential e = exponential(a, 0.0);
+    Exponential e = exponential(a, a, 0.0);
     --e.exponent;
     return scaled(e);
 }

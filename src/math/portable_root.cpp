@@ -48,7 +48,8 @@ struct Hypot {
         const double ay = std::fabs(y);
         const double a = ax > ay ? ax : ay;
         const double b = ax > ay ? ay : ax;
-        if (!(b > a * 0x1p-54)) return a + b;
+        // b^2 / (2 a) is less than 2^-10 ulp of a then.
+        if (!(b > a * 0x1p-32)) return std::isunordered(x, y) ? x + y : a;
         if (a > 0x1p510) return correctedHypot(a * 0x1p-600, b * 0x1p-600) * 0x1p600;
         if (b < 0x1p-450) return correctedHypot(a * 0x1p600, b * 0x1p600) * 0x1p-600;
         return correctedHypot(a, b);
