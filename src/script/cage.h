@@ -36,11 +36,14 @@ class Cage {
     bool trust_ = false;
 };
 
-/// Opens a regular file (no device, pipe, folder, nor anything of /proc or /sys) for reading.
-/// Returns a file descriptor; throws SceneError "path: reason".
-int openRegularFile(const std::string& path);
+/// Opens a regular file (no device, pipe, folder, nor anything of /proc or /sys) for reading and
+/// gives its descriptor; throws SceneError, in which the file is called `name`.
+int openRegularFile(const std::string& path, const std::string& name);
 
-/// The whole of a regular file; throws SceneError, also for more than `most` bytes.
-std::string readRegularFile(const std::string& path, std::size_t most);
+/// What is left to read from a descriptor; SceneError also for more than `most` bytes.
+std::string readAll(int descriptor, const std::string& name, std::size_t most);
+
+/// The whole of a regular file.
+std::string readRegularFile(const std::string& path, const std::string& name, std::size_t most);
 
 }  // namespace rt

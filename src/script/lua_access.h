@@ -5,6 +5,7 @@
 #include "trampoline.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ std::string typeNameOf(lua_State* state, int index);
 
 /// What `tostring` shows without metamethods: strings as they are, "table: 0x0000001a".
 std::string displayText(lua_State* state, int index);
+
+/// The number of a table, function, userdata or coroutine among those of its type, in the order of
+/// creation; 0 for built-in functions and everything else.
+std::uint64_t objectSerial(lua_State* state, int index);
 
 /// Pushes a string; throws LimitError when it would pass the memory cap.
 void pushText(lua_State* state, std::string_view text);

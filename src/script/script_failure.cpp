@@ -1,0 +1,139 @@
+#include "script_failure.h"
+
+#include "lua_access.h"
+#include "script_host.h"
+
+#include "rt/core/diagnostics.h"
+
+#include <string_view>
+
+namespace rt {
+namespace {
+
+constexpr std::string_view kNoMemory = "not enough memory";
+
+/// A chunk name as Lua shows it in messages: at most LUA_IDSIZE - 1 bytes, cut at the front.
+std::string shownName(const std::string& chunk) {
+    if (chunk.size() < LUA_IDSIZE) return chunk;
+    const std::string dots = "...";
+    return dots + chunk.substr(chunk.size() - (LUA_IDSIZE - 1 - dots.size()));
+}
+
+bool startsWithLine(std::string_view text, std::string_view name) {
+    if (!text.starts_with(name) || text.size() < name.size() + 2) return false;
+    return text[name.size()] == ':' && text[name.size() + 1] >= '0' && text[name.size() + 1] <= '9';
+}
+
+/// The stack as text; level 0 is the handler.
+std::string tracebackOf(lua_State* state) {
+    const StackGuard guard(state);
+    luaL_traceback(state, state, nullptr, 1);
+    return toText(state, -1).value_or("");
+}
+
+ExitCode codeOf(const ScriptHost& host, const std::string& raised) {
+    if (raised == host.raisedText) return host.raisedCode;
+    const bool memory = host.memory.hasRefused() && raised.find(kNoMemory) != std::string::npos;
+    return memory ? ExitCode::kLimit : ExitCode::kScene;
+}
+
+/// The location of a refusal, with the file's name in full.
+SourceLocation refusalLine(const ScriptHost& host) {
+    SourceLocation where = host.memory.refusalLine();
+    for (const std::string& chunk : host.chunks) {
+        if (shownName(chunk) == where.file) where.file = chunk;
+    }
+    return where;
+}
+
+int noteFailureSafely(lua_State* state) {
+    ScriptHost& host = hostOf(state);
+    const std::string raised = describeError(state, 1);
+    lua_settop(state, 1);
+    if (host.failure.known && host.failure.raised == raised) return 1;
+    RunFailure failure{true, raised, codeOf(host, raised), located(state, raised), ""};
+    failure.traceback = printable(tracebackOf(state));
+    if (failure.code == ExitCode::kLimit && raised != host.raisedText) {
+        failure.text = refusalLine(host).prefix() + host.memory.message();
+    }
+    host.failure = std::move(failure);
+    return 1;
+}
+
+[[noreturn]] void throwFailure(const ScriptHost& host) {
+    if (host.time.expired) throw LimitError(host.time.message, host.time.where);
+    const std::string text = printable(host.failure.text);
+    switch (host.failure.code) {
+        case ExitCode::kScene:
+            throw SceneError(text);
+        case ExitCode::kLimit:
+            throw LimitError(text);
+        case ExitCode::kOutput:
+            throw OutputError(text);
+        default:
+            throw Error(host.failure.code, {}, text);
+    }
+}
+
+}  // namespace
+
+std::string located(lua_State* state, const std::string& text) {
+    const ScriptHost& host = hostOf(state);
+    for (const std::string& chunk : host.chunks) {
+        if (startsWithLine(text, chunk)) return text;
+        const std::string shown = shownName(chunk);
+        if (startsWithLine(text, shown)) return chunk + text.substr(shown.size());
+    }
+    if (text.starts_with("[string \"")) return text;
+    return callerLocation(state).prefix() + text;
+}
+
+std::string describeError(lua_State* state, int index) {
+    const int type = lua_type(state, index);
+    if (auto text = toText(state, index)) return *text;
+    ensureStack(state, 3);
+    const StackGuard guard(state);
+    lua_pushvalue(state, index);
+    if (lua_getmetatable(state, -1) != 0) {
+        pushField(state, -1, "__tostring");
+        lua_replace(state, -2);
+        lua_insert(state, -2);
+        MemoryBudget& memory = hostOf(state).memory;
+        const bool suspended = memory.isSuspended();
+        memory.suspend(false);
+        const int status = lua_pcall(state, 1, 1, 0);
+        memory.suspend(suspended);
+        if (status == LUA_OK && lua_type(state, -1) == LUA_TSTRING) return *toText(state, -1);
+    }
+    return std::string("error object is a ") + lua_typename(state, type) + " value";
+}
+
+int noteFailure(lua_State* state) {
+    return guarded<noteFailureSafely>(state);
+}
+
+void callFromOutside(lua_State* state, int arguments, int results) {
+    ScriptHost& host = hostOf(state);
+    host.failure = {};
+    host.raisedText.clear();
+    host.memory.forgetRefusal();
+    ensureStack(state, 4);
+    const int function = lua_gettop(state) - arguments;
+    lua_pushcfunction(state, noteFailure);
+    lua_insert(state, function);
+    const int status = lua_pcall(state, arguments, results, function);
+    lua_remove(state, function);
+    if (status == LUA_OK) return;
+    if (!host.failure.known) {
+        // Lua calls no handler when memory or the C stack is at its end.
+        const std::string raised = toText(state, -1).value_or("error in error handling");
+        host.failure = {true, raised, codeOf(host, raised), raised, ""};
+        if (host.failure.code == ExitCode::kLimit) {
+            host.failure.text = refusalLine(host).prefix() + host.memory.message();
+        }
+    }
+    lua_pop(state, 1);
+    throwFailure(host);
+}
+
+}  // namespace rt
