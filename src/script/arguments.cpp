@@ -37,6 +37,7 @@ std::string Range::text() const {
 }
 
 std::string numberText(double value) {
+    if (std::isnan(value)) return "nan";
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
     return std::string(digits, end);
