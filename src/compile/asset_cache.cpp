@@ -41,12 +41,13 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
     return entry->second;
 }
 
-std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image, bool flipV,
+std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
+                                                 const TextureSettings& settings,
                                                  Diagnostics& diagnostics) {
-    const auto [entry, added] = images_.try_emplace({image.path, flipV});
+    const auto [entry, added] = images_.try_emplace({image.path, settings.flipV, settings.srgb});
     if (added) {
         entry->second = std::make_shared<const Texture>(
-            loadImage(image.path, ImageLimits{}, diagnostics), TextureSettings{flipV});
+            loadImage(image.path, ImageLimits{}, diagnostics), settings);
     }
     return entry->second;
 }

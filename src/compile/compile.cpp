@@ -185,7 +185,10 @@ class Compiler {
     }
 
     std::shared_ptr<const Texture> image(Index index) {
-        return assets_.image(scene_.images[index], settings_.flipV, diagnostics_);
+        TextureSettings settings;
+        settings.flipV = settings_.flipV;
+        settings.srgb = settings_.srgb;
+        return assets_.image(scene_.images[index], settings, diagnostics_);
     }
 
     /// Makes the orders distinct: nodes by creation, one node's instances by their place in the

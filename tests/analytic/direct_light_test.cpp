@@ -27,9 +27,8 @@ void checkColor(const Color& actual, const Color& expected, double tolerance = k
 /// looks down at the plane z = 0 through a tiny angle, so that a pixel is nearly one point.
 std::string looking(const std::string& body, const std::string& ambient = "{0, 0, 0}",
                     const std::string& eye = "{0, 0, 10}", const std::string& view = "{0, 0, -1}") {
-    return "root = gr.node('root')\nlights = {}\n" + body +
-           "\ngr.render(root, 'out.png', 1, 1, " + eye + ", " + view +
-           ", {0, 1, 0}, 0.00001, " + ambient + ", lights)\n";
+    return "root = gr.node('root')\nlights = {}\n" + body + "\ngr.render(root, 'out.png', 1, 1, " +
+           eye + ", " + view + ", {0, 1, 0}, 0.00001, " + ambient + ", lights)\n";
 }
 
 /// A matt wall whose front is the plane z = 0.
@@ -37,13 +36,16 @@ const std::string kWall =
     "wall = gr.nh_box('wall', {-50, -50, -1}, {100, 100, 1})\n"
     "root:add_child(wall, gr.material({0.5, 0.25, 1}, {0, 0, 0}, 0))\n";
 
-Color onePixel(const std::string& script) { return renderScript(script).at(0, 0); }
+Color onePixel(const std::string& script) {
+    return renderScript(script).at(0, 0);
+}
 
 }  // namespace
 
 TEST_CASE("a wall lit by a point light straight above shows kd times intensity") {
-    checkColor(onePixel(looking(kWall + "lights[1] = gr.light({0, 0, 5}, {1, 0.5, 0.25}, {1, 0, 0})")),
-               {0.5, 0.125, 0.25});
+    checkColor(
+        onePixel(looking(kWall + "lights[1] = gr.light({0, 0, 5}, {1, 0.5, 0.25}, {1, 0, 0})")),
+        {0.5, 0.125, 0.25});
 }
 
 TEST_CASE("light from the side weighs in by the cosine") {
@@ -54,8 +56,9 @@ TEST_CASE("light from the side weighs in by the cosine") {
 
 TEST_CASE("falloff divides by c0 + c1 d + c2 d^2") {
     // d = 5: 2 + 0.4 * 5 + 0.08 * 25 = 6.
-    checkColor(onePixel(looking(kWall + "lights[1] = gr.light({0, 0, 5}, {6, 6, 6}, {2, 0.4, 0.08})")),
-               {0.5, 0.25, 1.0});
+    checkColor(
+        onePixel(looking(kWall + "lights[1] = gr.light({0, 0, 5}, {6, 6, 6}, {2, 0.4, 0.08})")),
+        {0.5, 0.25, 1.0});
 }
 
 TEST_CASE("two lights add up, and ambient light is added once") {
@@ -66,11 +69,13 @@ TEST_CASE("two lights add up, and ambient light is added once") {
 }
 
 TEST_CASE("brightness is the floor of the cosine") {
-    checkColor(onePixel(looking(kWall + "lights[1] = gr.light({3, 0, 4}, {1, 1, 1}, {1, 0, 0}, 0, 0.9)")),
-               {0.45, 0.225, 0.9});
+    checkColor(
+        onePixel(looking(kWall + "lights[1] = gr.light({3, 0, 4}, {1, 1, 1}, {1, 0, 0}, 0, 0.9)")),
+        {0.45, 0.225, 0.9});
     // Not on the side that the light does not reach.
-    checkColor(onePixel(looking(kWall + "lights[1] = gr.light({0, 0, -5}, {1, 1, 1}, {1, 0, 0}, 0, 0.9)")),
-               {0.0, 0.0, 0.0});
+    checkColor(
+        onePixel(looking(kWall + "lights[1] = gr.light({0, 0, -5}, {1, 1, 1}, {1, 0, 0}, 0, 0.9)")),
+        {0.0, 0.0, 0.0});
 }
 
 TEST_CASE("the highlight is ks times the mirrored light's cosine to the power p") {
@@ -107,9 +112,10 @@ TEST_CASE("what stands behind the light casts no shadow") {
 }
 
 TEST_CASE("the middle of a sphere faces the viewer") {
-    checkColor(onePixel(looking("root:add_child(gr.sphere('s'), gr.material({1, 1, 1}, {0, 0, 0}, 0))\n"
-                                "lights[1] = gr.light({0, 3, 5}, {1, 1, 1}, {1, 0, 0})")),
-               Color(4.0 / 5.0), 1e-9);
+    checkColor(
+        onePixel(looking("root:add_child(gr.sphere('s'), gr.material({1, 1, 1}, {0, 0, 0}, 0))\n"
+                         "lights[1] = gr.light({0, 3, 5}, {1, 1, 1}, {1, 0, 0})")),
+        Color(4.0 / 5.0), 1e-9);
 }
 
 TEST_CASE("a sphere seen from inside is lit from inside") {
@@ -135,28 +141,34 @@ TEST_CASE("normals of nested, non-uniformly scaled objects are those of the worl
 
 TEST_CASE("transforms apply in the order of the calls") {
     const std::string light = "lights[1] = gr.light({0, 0, 9}, {1, 1, 1}, {1, 0, 0})";
-    const std::string ball = "s = gr.sphere('s')\ns:set_material(gr.material({1,1,1}, {0,0,0}, 0))\n";
+    const std::string ball =
+        "s = gr.sphere('s')\ns:set_material(gr.material({1,1,1}, {0,0,0}, 0))\n";
     // Moved to x = 4, then shrunk to x = 0.4: the ball, of radius 0.1, misses the middle.
-    CHECK(onePixel(looking(ball + "s:translate(4, 0, 0)\ns:scale(0.1, 0.1, 0.1)\nroot:add_child(s)\n" +
+    CHECK(onePixel(looking(ball +
+                           "s:translate(4, 0, 0)\ns:scale(0.1, 0.1, 0.1)\nroot:add_child(s)\n" +
                            light)) == Color(0.0));
     // Shrunk, then moved by its radius less a bit: still there.
-    CHECK(onePixel(looking(ball + "s:scale(0.1, 0.1, 0.1)\ns:translate(0.05, 0, 0)\nroot:add_child(s)\n" +
+    CHECK(onePixel(looking(ball +
+                           "s:scale(0.1, 0.1, 0.1)\ns:translate(0.05, 0, 0)\nroot:add_child(s)\n" +
                            light)) != Color(0.0));
 }
 
 TEST_CASE("the edge's material hides the child's own, per parent") {
     const std::string script =
-        "s = gr.nh_box('s', {-1, -1, -1}, 2)\ns:set_material(gr.material({0, 0, 1}, {0, 0, 0}, 0))\n"
+        "s = gr.nh_box('s', {-1, -1, -1}, 2)\ns:set_material(gr.material({0, 0, 1}, {0, 0, 0}, "
+        "0))\n"
         "lights[1] = gr.light({0, 0, 9}, {1, 1, 1}, {1, 0, 0})\n";
-    checkColor(onePixel(looking(script + "root:add_child(s, gr.material({1, 0, 0}, {0, 0, 0}, 0))")),
-               {1.0, 0.0, 0.0});
+    checkColor(
+        onePixel(looking(script + "root:add_child(s, gr.material({1, 0, 0}, {0, 0, 0}, 0))")),
+        {1.0, 0.0, 0.0});
     checkColor(onePixel(looking(script + "root:add_child(s)")), {0.0, 0.0, 1.0});
 }
 
 TEST_CASE("the background is seen where nothing is hit") {
     checkColor(onePixel(looking("gr.background({0.1, 0.2, 0.3})")), {0.1, 0.2, 0.3});
     // A gradient by the direction's y: straight ahead is the middle.
-    checkColor(onePixel(looking("gr.background({0, 0, 0}, {1, 0.5, 0.25})")), {0.5, 0.25, 0.125}, 1e-6);
+    checkColor(onePixel(looking("gr.background({0, 0, 0}, {1, 0.5, 0.25})")), {0.5, 0.25, 0.125},
+               1e-6);
     checkColor(onePixel(looking("gr.background({0, 0, 0}, {1, 1, 1})", "{0,0,0}", "{0, 0, 0}",
                                 "{0, 0.6, -0.8}")),
                Color(0.8), 1e-6);

@@ -37,7 +37,8 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
 
     Diagnostics diagnostics;
     const ScriptResult run = runScript(path, {}, diagnostics);
-    const RenderOptions options = settings.options.over(run.scene.renders.at(settings.render).options);
+    const RenderOptions options =
+        settings.options.over(run.scene.renders.at(settings.render).options);
     CompileSettings compileSettings;
     compileSettings.smoothAngleDegrees = options.smoothAngle.value_or(40.0);
     compileSettings.flipV = options.flipV.value_or(false);
@@ -60,8 +61,7 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
 Described describe(const std::string& script) {
     const TemporaryFolder folder;
     Described described;
-    described.scene =
-        runScript(folder.write("scene.lua", script), {}, described.diagnostics).scene;
+    described.scene = runScript(folder.write("scene.lua", script), {}, described.diagnostics).scene;
     return described;
 }
 

@@ -42,11 +42,11 @@ struct Picture {
 };
 
 struct PictureSettings {
-    RenderOptions options;     ///< win over the script's own
+    RenderOptions options;  ///< win over the script's own
     int threads = 1;
-    std::string kernel;        ///< "": the fastest
-    std::size_t render = 0;    ///< which gr.render of the script
-    std::string folder;        ///< where the script is put; "": a temporary one
+    std::string kernel;      ///< "": the fastest
+    std::size_t render = 0;  ///< which gr.render of the script
+    std::string folder;      ///< where the script is put; "": a temporary one
 };
 
 /// Runs, compiles and renders `script`. Throws what the program would report.

@@ -1,20 +1,14 @@
 // The statistics of a run, for --stats: one JSON object with an entry for each image.
 #pragma once
 
+#include "rt/trace/trace_kernel.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rt {
-
-/// Rays traced, by what they were for.
-struct RayCounts {
-    std::uint64_t camera = 0;
-    std::uint64_t shadow = 0;
-    std::uint64_t reflection = 0;
-    std::uint64_t refraction = 0;
-};
 
 /// A feature of the scene that was left out of its render.
 struct SkippedFeature {

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace rt {
@@ -23,7 +24,7 @@ class AssetCache {
     std::shared_ptr<const MeshShape> mesh(const MeshTableDesc& table, Index key,
                                           double smoothAngleDegrees, const SourceLocation& where,
                                           Diagnostics& diagnostics);
-    std::shared_ptr<const Texture> image(const ImageDesc& image, bool flipV,
+    std::shared_ptr<const Texture> image(const ImageDesc& image, const TextureSettings& settings,
                                          Diagnostics& diagnostics);
 
     /// Forgets what came from a script's tables, not from files: before another script runs.
@@ -35,7 +36,7 @@ class AssetCache {
     int threads_;
     std::map<std::pair<std::string, double>, std::shared_ptr<const MeshShape>> files_;
     std::map<std::pair<Index, double>, std::shared_ptr<const MeshShape>> tables_;
-    std::map<std::pair<std::string, bool>, std::shared_ptr<const Texture>> images_;
+    std::map<std::tuple<std::string, bool, bool>, std::shared_ptr<const Texture>> images_;
 };
 
 }  // namespace rt

@@ -17,6 +17,7 @@ struct CompileSettings {
     int threads = 1;
     double smoothAngleDegrees = 40.0;  ///< for meshes that do not say
     bool flipV = false;
+    bool srgb = false;  ///< images hold sRGB values, to be made linear
     std::uint64_t maxInstances = 20'000'000;
 };
 

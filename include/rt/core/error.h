@@ -33,12 +33,19 @@ enum class ExitCode : int {
 class Error : public std::runtime_error {
   public:
     Error(ExitCode code, const SourceLocation& where, const std::string& message)
-        : std::runtime_error(where.prefix() + message), code_(code) {}
+        : std::runtime_error(where.prefix() + message),
+          code_(code),
+          prefix_(where.prefix()),
+          message_(message) {}
 
     ExitCode code() const { return code_; }
+    /// As it is shown to the user: "scene.lua:12: error: what was wrong".
+    std::string shown() const { return prefix_ + "error: " + message_; }
 
   private:
     ExitCode code_;
+    std::string prefix_;
+    std::string message_;
 };
 
 /// The script, one of its calls, or an asset is wrong.

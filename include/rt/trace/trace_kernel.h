@@ -41,6 +41,7 @@ struct Tile {
     int height() const { return y1 - y0; }
 };
 
+/// Rays traced, by what they were for.
 struct RayCounts {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;

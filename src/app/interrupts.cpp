@@ -1,0 +1,52 @@
+#include "interrupts.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+namespace rt {
+namespace {
+
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+std::atomic<bool> deferring{false};
+std::atomic<bool> requestedFlag{false};
+std::atomic<int> firstSignal{0};
+
+extern "C" void onSignal(int signal) {
+    if (!deferring.load() || requestedFlag.exchange(true)) _exit(128 + signal);
+    firstSignal.store(signal);
+}
+
+void handleWith(void (*handler)(int)) {
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    for (const int signal : kSignals) sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+Interrupts::Interrupts() {
+    handleWith(&onSignal);
+}
+
+Interrupts::~Interrupts() {
+    handleWith(SIG_DFL);
+}
+
+Interrupts::Deferred::Deferred() { deferring.store(true); }
+
+/// What has been asked for stays deferred until the image is saved.
+Interrupts::Deferred::~Deferred() { deferring.store(requestedFlag.load()); }
+
+const std::atomic<bool>& Interrupts::requested() {
+    return requestedFlag;
+}
+
+int Interrupts::exitCode() {
+    const int signal = firstSignal.load();
+    return signal ? 128 + signal : 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,41 @@
+#include "output_names.h"
+
+#include "rt/core/error.h"
+#include "rt/output/image_writer.h"
+
+namespace rt {
+
+std::vector<std::string> OutputNames::namesFor(const SceneDesc& scene, std::int64_t frame,
+                                               Diagnostics& diagnostics) {
+    std::vector<std::string> names;
+    for (const RenderDesc& render : scene.renders) {
+        names.push_back(nameFor(render, frame));
+        refuseTwice(names.back(), render, diagnostics);
+    }
+    return names;
+}
+
+std::string OutputNames::nameFor(const RenderDesc& render, std::int64_t frame) {
+    ++rendersSoFar_;
+    const std::string pattern = options_.output.value_or(render.output);
+    return numberedName(pattern, options_.frames ? frame : rendersSoFar_);
+}
+
+void OutputNames::refuseTwice(const std::string& name, const RenderDesc& render,
+                              Diagnostics& diagnostics) {
+    if (used_.insert(name).second) return;
+    if (options_.output) {
+        throw UsageError("-o " + *options_.output +
+                         ": more than one image would be written to it; put # into the name, "
+                         "which becomes the image's number");
+    }
+    if (options_.frames) {
+        throw UsageError("--frames: two frames would be written to '" + printable(name, 300) +
+                         "'; put # or gr.frame into the name that gr.render is given");
+    }
+    diagnostics.warn("overwritten", render.where,
+                     "an earlier render of this run went to the same file '" +
+                         printable(name, 300) + "', which is overwritten");
+}
+
+}  // namespace rt

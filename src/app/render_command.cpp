@@ -1,0 +1,308 @@
+// script -> description -> compiled scene -> tiles -> film -> file.
+#include "interrupts.h"
+#include "output_names.h"
+#include "rt/app/commands.h"
+#include "rt/app/progress.h"
+#include "rt/app/stats.h"
+#include "rt/compile/compile.h"
+#include "rt/compile/trace_settings.h"
+#include "rt/core/error.h"
+#include "rt/core/parallel.h"
+#include "rt/output/atomic_file.h"
+#include "rt/output/image_writer.h"
+#include "rt/render/kernel_choice.h"
+#include "rt/render/renderer.h"
+#include "rt/script/scene_script.h"
+#include "scene_report.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rt {
+namespace {
+
+/// A render was stopped by a signal, after its partial image was saved.
+struct Interrupted {};
+
+ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
+    ScriptSettings settings;
+    settings.arguments = options.scriptArguments;
+    settings.parameters = options.parameters;
+    settings.frame = static_cast<int>(frame);
+    if (options.frames && options.frames->last > options.frames->first) {
+        settings.time = static_cast<double>(frame - options.frames->first) /
+                        static_cast<double>(options.frames->last - options.frames->first);
+    }
+    settings.trust = options.trust;
+    settings.legacyTransforms = options.legacyTransforms;
+    settings.memoryLimit = options.scriptMemory;
+    settings.timeLimit = options.scriptTime;
+    settings.printToStderr = options.output == "-";
+    return settings;
+}
+
+ImageSettings imageSettings(const RenderOptions& options) {
+    ImageSettings settings;
+    settings.bits = options.bits.value_or(8);
+    if (options.transfer.value_or("raw") == "srgb") settings.transfer = Transfer::kSrgb;
+    return settings;
+}
+
+/// "name.partial.png", for an image that is not finished.
+std::string partialName(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    const std::size_t slash = name.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) {
+        return name + ".partial";
+    }
+    return name.substr(0, dot) + ".partial" + name.substr(dot);
+}
+
+/// One run of the program over its scenes.
+class Batch {
+  public:
+    explicit Batch(const Options& options)
+        : options_(options),
+          threads_(options.threads > 0 ? options.threads : availableThreads()),
+          kernel_(chooseKernel(options.isa.value_or(""))),
+          names_(options),
+          progress_(standardError(options.color), options.quiet),
+          assets_(threads_) {}
+
+    int run() {
+        progress_.begin(threads_);
+        for (const std::string& scene : options_.scenes) {
+            const int code = attempt(scene);
+            if (code_ == 0) code_ = code;
+            if (code != 0 && (options_.failFast || Interrupts::exitCode() != 0)) break;
+        }
+        if (options_.stats) noteIfAny(writeStats(*options_.stats, stats_));
+        return code_;
+    }
+
+  private:
+    int attempt(const std::string& scene) {
+        Diagnostics diagnostics;
+        int code = 0;
+        try {
+            const FrameRange frames = options_.frames.value_or(FrameRange{});
+            for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
+                runScene(scene, frame, diagnostics);
+            }
+        } catch (const Interrupted&) {
+            code = Interrupts::exitCode();
+        } catch (const Error& error) {
+            progress_.abandon();
+            report(diagnostics);
+            progress_.message(error.shown());
+            return static_cast<int>(error.code());
+        }
+        report(diagnostics);
+        const bool strict = options_.werror && diagnostics.total() > 0;
+        return code != 0 ? code : static_cast<int>(strict ? ExitCode::kScene : ExitCode::kDone);
+    }
+
+    void runScene(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
+        assets_.forgetTables();
+        const ScriptResult script = runScript(path, scriptSettings(options_, frame), diagnostics);
+        if (options_.listParams) return printParameters(script);
+        const std::vector<std::string> outputs = names_.namesFor(script.scene, frame, diagnostics);
+        for (const std::string& output : outputs) {
+            if (options_.check) continue;
+            refuseOverwriting(output, script.filesRead);
+            checkWritable(output);
+        }
+        for (std::size_t i = 0; i < outputs.size(); ++i) {
+            renderOne(script.scene, i, outputs[i], diagnostics);
+        }
+    }
+
+    void renderOne(const SceneDesc& desc, std::size_t index, const std::string& output,
+                   Diagnostics& diagnostics) {
+        const RenderOptions options = options_.render.over(desc.renders[index].options);
+        const auto began = std::chrono::steady_clock::now();
+        const RenderScene scene = compiled(desc, index, options, diagnostics);
+        const double buildSeconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        if (options_.explain) progress_.message(explanation(scene));
+        if (options_.check) return;
+
+        const RenderOutcome outcome = rendered(scene, options);
+        warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
+        RenderStats stats = statsOf(scene, options, outcome);
+        stats.scene = desc.name;
+        stats.output = output;
+        stats.buildSeconds = buildSeconds;
+        stats.warnings = diagnostics.total();
+        save(outcome, outcome.cancelled ? partialName(output) : output, options, stats);
+        stats_.push_back(std::move(stats));
+        if (outcome.cancelled) throw Interrupted{};
+    }
+
+    RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
+                         Diagnostics& diagnostics) {
+        CompileSettings settings;
+        if (options_.size) {
+            settings.width = options_.size->width;
+            settings.height = options_.size->height;
+        }
+        settings.threads = threads_;
+        settings.smoothAngleDegrees = options.smoothAngle.value_or(settings.smoothAngleDegrees);
+        settings.flipV = options.flipV.value_or(false);
+        settings.srgb = options.transfer.value_or("raw") == "srgb";
+        settings.maxInstances = static_cast<std::uint64_t>(options_.maxInstances);
+        refuseTooManyPixels(desc.renders[index]);
+        return compileScene(desc, index, settings, assets_, diagnostics);
+    }
+
+    void refuseTooManyPixels(const RenderDesc& render) const {
+        const std::int64_t width = options_.size ? options_.size->width : render.width;
+        const std::int64_t height = options_.size ? options_.size->height : render.height;
+        if (width * height <= options_.maxPixels) return;
+        throw LimitError(
+            "gr.render: " + std::to_string(width) + "x" + std::to_string(height) + " pixels need " +
+                std::to_string((width * height * std::int64_t{sizeof(PixelState)}) >> 20) +
+                " MB, more than the limit of " + std::to_string(options_.maxPixels) +
+                " pixels (see --max-pixels)",
+            render.where);
+    }
+
+    RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options) {
+        RenderJob job;
+        job.settings = traceSettings(options);
+        job.area = areaOf(scene);
+        job.threads = threads_;
+        job.timeLimit = options.time.value_or(0.0);
+        job.kernel = &kernel_;
+        job.cancel = &Interrupts::requested();
+        job.onProgress = [this](double share) { progress_.update(share); };
+        progress_.startImage();
+        const Interrupts::Deferred deferred;
+        return render(scene, job);
+    }
+
+    Tile areaOf(const RenderScene& scene) {
+        if (!options_.crop) return {0, 0, scene.width, scene.height};
+        const auto [crop, cut] = clipped(*options_.crop, scene.width, scene.height);
+        if (cut) progress_.message("warning: --crop reaches beyond the image and is clipped");
+        return {crop.x0, crop.y0, crop.x1, crop.y1};
+    }
+
+    void save(const RenderOutcome& outcome, const std::string& output, const RenderOptions& options,
+              const RenderStats& stats) {
+        PixelImage image{outcome.film.area.width(), outcome.film.area.height(), {}};
+        image.pixels.reserve(outcome.film.pixels.size());
+        for (const PixelState& pixel : outcome.film.pixels) image.pixels.push_back(pixel.mean());
+        ImageMetadata metadata;
+        metadata.scene = stats.scene;
+        metadata.seed = stats.seed;
+        metadata.samplesPerPixel = stats.sppMean;
+        metadata.error = stats.errorEstimate;
+        noteIfAny(writeImage(output, image, imageSettings(options), metadata));
+        if (outcome.cancelled) {
+            progress_.abandon();
+            progress_.message("Interrupted; what was rendered so far is in " + output);
+        } else {
+            progress_.finish({output, stats.renderSeconds, stats.errorEstimate});
+        }
+    }
+
+    RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
+                        const RenderOutcome& outcome) const {
+        RenderStats stats;
+        stats.width = outcome.film.area.width();
+        stats.height = outcome.film.area.height();
+        stats.threads = threads_;
+        stats.seed = static_cast<std::uint64_t>(options.seed.value_or(0.0));
+        countSamples(outcome.film, stats);
+        stats.converged = !outcome.cancelled && !outcome.outOfTime;
+        const SceneCounts counts = countsOf(scene);
+        stats.triangles = counts.triangles;
+        stats.primitives = counts.primitives;
+        stats.instances = scene.instances.size();
+        stats.lights = scene.lights.size();
+        stats.renderSeconds = outcome.seconds;
+        stats.cpuSeconds = outcome.cpuSeconds;
+        stats.peakRssBytes = peakResidentBytes();
+        stats.rays = outcome.counts.rays;
+        stats.cutPaths = outcome.counts.cutPaths;
+        stats.cutErrorBound = outcome.counts.cutBound /
+                              std::max(1.0, static_cast<double>(outcome.counts.rays.camera));
+        stats.features = featuresOf(scene);
+        stats.skipped = skippedBy(scene);
+        return stats;
+    }
+
+    static void countSamples(const Film& film, RenderStats& stats) {
+        stats.sppMin = std::numeric_limits<std::uint64_t>::max();
+        std::uint64_t total = 0;
+        for (const PixelState& pixel : film.pixels) {
+            total += pixel.samples;
+            stats.sppMin = std::min(stats.sppMin, pixel.samples);
+            stats.sppMax = std::max(stats.sppMax, pixel.samples);
+        }
+        stats.sppMean = static_cast<double>(total) / static_cast<double>(film.pixels.size());
+    }
+
+    static void warnOfNonFinite(const TraceCounts& counts, const RenderDesc& render,
+                                Diagnostics& diagnostics) {
+        if (counts.nonFinite == 0) return;
+        diagnostics.warn("non-finite", render.where,
+                         std::to_string(counts.nonFinite) +
+                             " samples were not finite and count as black, the first in pixel " +
+                             std::to_string(counts.nonFiniteX) + "," +
+                             std::to_string(counts.nonFiniteY));
+    }
+
+    static void printParameters(const ScriptResult& script) {
+        for (const ScriptParameter& parameter : script.parameters) {
+            std::printf("%s = %s%s%s\n", printable(parameter.name, 200).c_str(),
+                        printable(parameter.value, 200).c_str(),
+                        parameter.doc.empty() ? "" : "  -- ",
+                        printable(parameter.doc, 400).c_str());
+        }
+    }
+
+    void report(const Diagnostics& diagnostics) {
+        for (const Diagnostics::Warning& warning : diagnostics.shown()) {
+            progress_.message(warning.where.prefix() + "warning: " + warning.message + " [-W" +
+                              warning.kind + "]");
+        }
+        for (const auto& [kind, count] : diagnostics.countByKind()) {
+            if (count <= Diagnostics::kShownPerKind) continue;
+            progress_.message("warning: " + std::to_string(count - Diagnostics::kShownPerKind) +
+                              " more of [-W" + kind + "]");
+        }
+    }
+
+    void noteIfAny(const std::string& sentence) {
+        if (!sentence.empty()) progress_.message("warning: " + sentence);
+    }
+
+    const Options& options_;
+    int threads_;
+    const TraceKernel& kernel_;
+    OutputNames names_;
+    Progress progress_;
+    AssetCache assets_;
+    std::vector<RenderStats> stats_;
+    int code_ = 0;
+};
+
+}  // namespace
+
+int renderCommand(const Options& options) {
+    requireDefaultScene(options);
+    const Interrupts interrupts;
+    return Batch(options).run();
+}
+
+}  // namespace rt
