@@ -38,7 +38,7 @@ local HOT = {
 -- Lua's included, goes to the project's own (src/math/wrap_libm.cpp).
 local WRAPPED = {
   "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "exp2", "log", "log2", "log10", "pow",
-  "sinh", "cosh", "tanh", "cbrt", "hypot",
+  "sinh", "cosh", "tanh", "cbrt", "hypot", "sincos",
 }
 
 -- A changed flag rebuilds: every object depends on a header that holds the flags.
@@ -148,6 +148,7 @@ project "tests"
   includedirs { "tests", "src" }
   files { "tests/**_test.cpp", "tests/test_main.cpp" }
   link_program()
+  linkoptions { "-lquadmath" }
 
 if _OPTIONS["bench"] then
   for _, path in ipairs(os.matchfiles("tests/bench/*_bench.cpp")) do

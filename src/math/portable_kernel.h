@@ -88,6 +88,16 @@ RT_KERNEL double powerOfTwo(std::int64_t exponent) {
     return fromBits(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
+#ifdef __FMA__
+
+/// Compiled for processors that have fused instructions: nothing to choose.
+template <class Kernel, class... Arguments>
+inline auto evaluate(Arguments... arguments) {
+    return Kernel::evaluate(arguments...);
+}
+
+#else
+
 /// False until static initialisation has looked at the processor; results do not depend on it.
 extern bool gUseFused;
 
@@ -100,5 +110,7 @@ template <class Kernel, class... Arguments>
 inline auto evaluate(Arguments... arguments) {
     return gUseFused ? evaluateFused<Kernel>(arguments...) : Kernel::evaluate(arguments...);
 }
+
+#endif
 
 }  // namespace rt::portable

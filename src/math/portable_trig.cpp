@@ -4,17 +4,6 @@
 
 namespace rt::portable {
 
-bool gUseFused = [] {
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("fma") != 0;
-}();
-
-bool selectFusedInstructions(bool wanted) {
-    const bool before = gUseFused;
-    gUseFused = wanted && __builtin_cpu_supports("fma");
-    return before;
-}
-
 namespace {
 
 using namespace tables;

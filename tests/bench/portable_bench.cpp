@@ -125,3 +125,5 @@ constexpr Binary kBinary[] = {
 }();
 
 }  // namespace
+
+BENCHMARK_MAIN();
