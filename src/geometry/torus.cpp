@@ -4,7 +4,9 @@
 #include "rt/math/portable.h"
 #include "torus_line.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -27,6 +29,7 @@ struct Window {
     Interval range;
 
     double start() const { return (range.min - tFoot) / unit; }
+    double startMagnitude() const { return std::fabs(range.min / unit); }
     double t(double s) const { return std::fma(s, unit, tFoot); }
     bool contains(double s) const { return range.contains(t(s)); }
     bool endsBefore(double s) const { return !(t(s) < range.max); }
@@ -101,16 +104,23 @@ bool nearestOnSheet(const Sheet& sheet, const Sample& low, const Sample& high, c
            nearestOnStretch(sheet, to, high, 1.0, secantMinimum(to, high), window, s);
 }
 
+/// The line where the range starts. Within the roundings of a root the start counts as that root,
+/// and only the way it leaves tells on which side it is.
+Sample sampleAtStart(const Sheet& sheet, const Window& window) {
+    Sample start = sheet.sample(window.start());
+    const double half = std::fabs(start.slope) / start.rho;
+    const double blur = sheet.blur() + 2.0 * half * kTorusSway * window.startMagnitude();
+    if (!(std::fabs(start.value) <= blur)) return start;
+    const Sample beyond = sheet.sample(start.s + blur / half);
+    if (std::fabs(beyond.value) > blur && beyond.isOutside() == (start.slope >= 0.0)) return beyond;
+    start.value = std::copysign(std::numeric_limits<double>::min(), start.slope);
+    return start;
+}
+
 /// The first root in `window` between `from` and `to`, both outside the sheet.
 bool nearestBetween(const Sheet& sheet, double from, double to, const Window& window, double& s) {
-    bool isAhead = !window.startsAfter(from);
-    Sample low = sheet.sample(isAhead ? from : window.start());
-    if (!isAhead) {
-        // Roots behind the ray's start need no search where the start is clear of the surface.
-        isAhead = std::fabs(low.value) > sheet.blur();
-        if (!isAhead) low = sheet.sample(from);
-    }
-    if (isAhead && low.isOutside()) {
+    const Sample low = window.startsAfter(from) ? sampleAtStart(sheet, window) : sheet.sample(from);
+    if (low.isOutside()) {
         s = sheet.entryAfter(low, to);
         if (!window.startsAfter(s)) return window.contains(s);
     }

@@ -97,7 +97,7 @@ class Sheet {
         return at;
     }
 
-    /// Beyond this the sign of f is that of the exact f.
+    /// How far f may be off where it is small.
     double blur() const { return kTorusBlur * scale_; }
 
     /// Half the width of the stretch around the point nearest the axis where f is concave: there

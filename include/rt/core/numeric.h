@@ -76,9 +76,12 @@ inline constexpr double kTorusSlack = 0x1p-40;
 /// Halley's iteration cubes the relative error: a step below this leaves less than a rounding.
 inline constexpr double kTorusHandover = 0x1p-18;
 
-/// In units of r (R + r): a point of a line is off by 3 roundings of at most R + r, to which f near
-/// the surface is 2 r times as sensitive, and its own sum adds 3 more of r^2; with room to spare.
-inline constexpr double kTorusBlur = 64 * kUnitRoundoff;
+/// In units of r (R + r): a point of a line is off by 1 rounding of at most R + r and its rho by 2
+/// more, to which f near the surface is 2 r times as sensitive; its own sum adds 4 of r^2.
+inline constexpr double kTorusBlur = 16 * kUnitRoundoff;
+
+/// Relative to t: 1 rounding made it from the foot's t and a root, 1 more parts them again.
+inline constexpr double kTorusSway = 4 * kUnitRoundoff;
 
 /// In the same units: half a rounding of R + r, below which a root is as good as its line.
 inline constexpr double kTorusFloor = kUnitRoundoff;
