@@ -45,7 +45,7 @@ double parseNumber(const Call& call, const std::string& text) {
     double value = 0.0;
     const char* first = text.data();
     const char* last = first + text.size();
-    if (text.size() > 1 && *first == '+') ++first;
+    if (text.size() > 1 && first[0] == '+' && first[1] != '-') ++first;
     const auto parsed = std::from_chars(first, last, value);
     const bool whole = parsed.ec == std::errc() && parsed.ptr == last && std::isfinite(value);
     if (!whole) refuse(call, text, "must be a finite number");
