@@ -11,6 +11,13 @@
 #include <utility>
 
 namespace rt {
+namespace {
+
+Sampler samplerFor(const TraceSettings& settings) {
+    return Sampler({settings.sampler, settings.filter, settings.seed, settings.spp});
+}
+
+}  // namespace
 
 template <unsigned Features>
 Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings,

@@ -3,14 +3,12 @@
 #pragma once
 
 #include "rt/geometry/hit.h"
+#include "rt/sampling/sampler_kind.h"
 #include "rt/trace/render_scene.h"
 
 #include <cstdint>
 
 namespace rt {
-
-enum class SamplerKind : std::uint8_t { kJoint, kJitter, kGrid, kRandom };
-enum class FilterKind : std::uint8_t { kBox, kGaussian, kMitchell, kBlackmanHarris };
 
 struct TraceSettings {
     int spp = 16;  ///< samples that each pixel will get; jitter and grid divide the pixel by it
