@@ -20,39 +20,60 @@ constexpr FaceTexture kFaces[6] = {
     {0, true, 1, false},  {0, false, 1, false}  // -z +z
 };
 
-/// A ray relative to the box's centre, and the part of it inside. The span holds t itself.
+/// A ray relative to the box's centre, its origin in two terms.
 struct BoxRay {
+    const Vec3& lo;  ///< the box's own
     Vec3 origin;
     Vec3 originError;
-    Vec3 direction;
+    const Vec3& direction;
     Vec3 inverse;
-    InsideSpan inside{{-kInfinity, 0}, {kInfinity, 0}};
 };
 
-/// The slab of one axis. For a ray within it, d = +-0 gives -inf and inf, and a NaN on a face.
-inline void cut(BoxRay& ray, double origin, double inverse, double lo, double hi, Index axis) {
-    const bool upwards = inverse >= 0.0;
-    ray.inside.enterAt(((upwards ? lo : hi) - origin) * inverse, 2 * axis + (upwards ? 0 : 1));
-    ray.inside.leaveAt(((upwards ? hi : lo) - origin) * inverse, 2 * axis + (upwards ? 1 : 0));
+/// The planes that bound the box on one side of the ray, and t there.
+struct Planes {
+    Vec3 face;
+    Vec3 t;
+};
+
+/// For a ray along a slab, d = +-0 gives -inf and inf, and NaN where it runs in a face.
+inline Planes planesAt(const BoxRay& ray, const Vec3& face) {
+    return {face,
+            Vec3((face.x - ray.origin.x) * ray.inverse.x, (face.y - ray.origin.y) * ray.inverse.y,
+                 (face.z - ray.origin.z) * ray.inverse.z)};
+}
+
+/// The largest (smallest) of three; a NaN is passed over.
+inline double largestOf(const Vec3& v) {
+    const double x = v.x > -kInfinity ? v.x : -kInfinity;
+    const double xy = v.y > x ? v.y : x;
+    return v.z > xy ? v.z : xy;
+}
+
+inline double smallestOf(const Vec3& v) {
+    const double x = v.x < kInfinity ? v.x : kInfinity;
+    const double xy = v.y < x ? v.y : x;
+    return v.z < xy ? v.z : xy;
 }
 
 /// t is off by a rounding of the ray's way to the box; the point that it gives is on the ray to a
 /// rounding of the box, so its distance to the face tells how far to go on.
-bool meet(const BoxRay& ray, const Crossing& at, double face, Interval range, PrimitiveHit& hit) {
-    if (!range.contains(at.s)) return false;
-    const int axis = static_cast<int>(at.part / 2);
+inline bool meet(const BoxRay& ray, const Planes& planes, double rough, Interval range,
+                 PrimitiveHit& hit) {
+    if (!range.contains(rough)) return false;
+    const int axis = rough == planes.t.z ? 2 : (rough == planes.t.y ? 1 : 0);
+    const double face = planes.face[axis];
     const Vec3& d = ray.direction;
-    const Vec3 p(std::fma(at.s, d.x, ray.origin.x) + ray.originError.x,
-                 std::fma(at.s, d.y, ray.origin.y) + ray.originError.y,
-                 std::fma(at.s, d.z, ray.origin.z) + ray.originError.z);
+    const Vec3 p(std::fma(rough, d.x, ray.origin.x) + ray.originError.x,
+                 std::fma(rough, d.y, ray.origin.y) + ray.originError.y,
+                 std::fma(rough, d.z, ray.origin.z) + ray.originError.z);
     const double further = (face - p[axis]) * ray.inverse[axis];
-    const double t = at.s + further;
+    const double t = rough + further;
     if (!range.contains(t)) return false;
     hit.t = t;
     hit.local =
         Vec3(std::fma(further, d.x, p.x), std::fma(further, d.y, p.y), std::fma(further, d.z, p.z));
     hit.local[axis] = face;
-    hit.part = at.part;
+    hit.part = static_cast<Index>(2 * axis + (face == ray.lo[axis] ? 0 : 1));
     return true;
 }
 
@@ -83,20 +104,19 @@ bool Box::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
     const TwoTerms y = exactDifference(ray.origin.y, centre_.y);
     const TwoTerms z = exactDifference(ray.origin.z, centre_.z);
     const Vec3& d = ray.direction;
-    BoxRay local{Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error), d,
-                 Vec3(1.0 / d.x, 1.0 / d.y, 1.0 / d.z)};
-    cut(local, x.value, local.inverse.x, lo_.x, hi_.x, 0);
-    cut(local, y.value, local.inverse.y, lo_.y, hi_.y, 1);
-    cut(local, z.value, local.inverse.z, lo_.z, hi_.z, 2);
-    if (local.inside.isEmpty()) return false;
-    const auto face = [&](Index part) {
-        const int axis = static_cast<int>(part / 2);
-        return part % 2 == 0 ? lo_[axis] : hi_[axis];
-    };
-    const Crossing& entry = local.inside.entry;
-    const Crossing& exit = local.inside.exit;
-    return meet(local, entry, face(entry.part), range, hit) ||
-           meet(local, exit, face(exit.part), range, hit);
+    const BoxRay local{lo_, Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error), d,
+                       Vec3(1.0 / d.x, 1.0 / d.y, 1.0 / d.z)};
+    const bool upX = local.inverse.x >= 0.0;
+    const bool upY = local.inverse.y >= 0.0;
+    const bool upZ = local.inverse.z >= 0.0;
+    const Planes near =
+        planesAt(local, Vec3(upX ? lo_.x : hi_.x, upY ? lo_.y : hi_.y, upZ ? lo_.z : hi_.z));
+    const Planes far =
+        planesAt(local, Vec3(upX ? hi_.x : lo_.x, upY ? hi_.y : lo_.y, upZ ? hi_.z : lo_.z));
+    const double entry = largestOf(near.t);
+    const double exit = smallestOf(far.t);
+    if (!(entry <= exit)) return false;
+    return meet(local, near, entry, range, hit) || meet(local, far, exit, range, hit);
 }
 
 SurfacePoint Box::surface(const PrimitiveHit& hit) const {

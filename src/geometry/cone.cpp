@@ -57,8 +57,8 @@ inline bool meet(const FootRay& near, const Crossing& at, double height, Interva
     return true;
 }
 
-bool cross(const Vec3& apex, double height, double slope, const Ray& ray, Interval range,
-           PrimitiveHit& hit) {
+[[gnu::always_inline]] inline bool cross(const Vec3& apex, double height, double slope,
+                                         const Ray& ray, Interval range, PrimitiveHit& hit) {
     const FootRay near = footRay(ray, apex, Vec3(0.0, 0.5 * height, 0.0));
     InsideSpan inside = insideUpperHalf(near, slope);
     const double inverse = 1.0 / near.direction.y;

@@ -39,8 +39,8 @@ inline bool meet(const FootRay& near, const Crossing& at, double height, Interva
     return true;
 }
 
-bool cross(const Vec3& base, double height, double radius, const Ray& ray, Interval range,
-           PrimitiveHit& hit) {
+[[gnu::always_inline]] inline bool cross(const Vec3& base, double height, double radius,
+                                         const Ray& ray, Interval range, PrimitiveHit& hit) {
     const FootRay near = footRay(ray, base, Vec3(0.0, 0.5 * height, 0.0));
     InsideSpan inside = insideTube(near, radius);
     const double inverse = 1.0 / near.direction.y;

@@ -14,7 +14,7 @@ namespace rt {
 /// ray to a rounding of its own size, however far away the origin is.
 struct FootRay {
     Vec3 foot;
-    Vec3 direction;
+    const Vec3& direction;
     double tFoot;
     double inverseSquare;  ///< 1 / (d . d)
 };
@@ -88,8 +88,8 @@ inline double largestComponent(const Vec3& v) {
 /// double: powers of two bring both near 1. `intersect(exponent, ray, range, hit)` does the work
 /// on the solid times 2^exponent.
 template <class Intersect>
-bool intersectRescaled(double size, const Ray& ray, Interval range, PrimitiveHit& hit,
-                       const Intersect& intersect) {
+[[gnu::noinline, gnu::cold]] bool intersectRescaled(double size, const Ray& ray, Interval range,
+                                                    PrimitiveHit& hit, const Intersect& intersect) {
     const double speed = largestComponent(ray.direction);
     if (!(speed > 0.0 && speed < kInfinity)) return false;
     const int sizeExponent = std::ilogb(size);
@@ -111,18 +111,6 @@ bool intersectRescaled(double size, const Ray& ray, Interval range, PrimitiveHit
     return true;
 }
 
-/// v at length 1, also where its square would leave the range of double; v is not zero.
-inline Vec3 unitVector(const Vec3& v) {
-    const double square = dot(v, v);
-    if (isOrdinarySquare(square)) [[likely]] {
-        const double inverse = 1.0 / std::sqrt(square);
-        return Vec3(v.x * inverse, v.y * inverse, v.z * inverse);
-    }
-    const Vec3 scaled = scaleByPowerOfTwo(v, -std::ilogb(largestComponent(v)));
-    const double inverse = 1.0 / std::sqrt(dot(scaled, scaled));
-    return Vec3(scaled.x * inverse, scaled.y * inverse, scaled.z * inverse);
-}
-
 /// (x, z) as a unit vector and a length; a vector of zero points along +z.
 struct Radial {
     double x;
@@ -130,20 +118,26 @@ struct Radial {
     double length;
 };
 
+/// The two below where a square would leave the range of double.
+Vec3 extremeUnitVector(const Vec3& v);
+Radial extremeRadial(double x, double z);
+
+/// v at length 1; v is not zero.
+inline Vec3 unitVector(const Vec3& v) {
+    const double square = dot(v, v);
+    if (!isOrdinarySquare(square)) [[unlikely]]
+        return extremeUnitVector(v);
+    const double inverse = 1.0 / std::sqrt(square);
+    return Vec3(v.x * inverse, v.y * inverse, v.z * inverse);
+}
+
 inline Radial radial(double x, double z) {
     const double square = x * x + z * z;
-    if (isOrdinarySquare(square)) [[likely]] {
-        const double length = std::sqrt(square);
-        const double inverse = 1.0 / length;
-        return {x * inverse, z * inverse, length};
-    }
-    const double size = std::max(std::fabs(x), std::fabs(z));
-    if (!(size > 0.0)) return {0.0, 1.0, 0.0};
-    const int exponent = std::ilogb(size);
-    const double sx = std::ldexp(x, -exponent);
-    const double sz = std::ldexp(z, -exponent);
-    const double length = std::sqrt(sx * sx + sz * sz);
-    return {sx / length, sz / length, std::ldexp(length, exponent)};
+    if (!isOrdinarySquare(square)) [[unlikely]]
+        return extremeRadial(x, z);
+    const double length = std::sqrt(square);
+    const double inverse = 1.0 / length;
+    return {x * inverse, z * inverse, length};
 }
 
 /// a + b rounded down (up): at most one step from the rounded sum.

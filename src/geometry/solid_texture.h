@@ -18,9 +18,12 @@ inline double turnFraction(const Radial& direction) {
     return clampToUnit(0.5 + portable::atan2(direction.x, direction.z) * (1.0 / kTurn));
 }
 
-/// The angle above the equator as a fraction of a half turn, 1/2 on the equator.
+/// The angle above the equator as a fraction of a half turn, 1/2 on the equator, of the unit vector
+/// with these parts up and across. The smaller of the two decides: there asin loses nothing.
 inline double latitudeFraction(double up, double across) {
-    return clampToUnit(0.5 + portable::atan2(up, across) * (2.0 / kTurn));
+    if (std::fabs(up) <= across) return 0.5 + portable::asin(up) * (2.0 / kTurn);
+    const double fromPole = portable::asin(across) * (2.0 / kTurn);
+    return up > 0.0 ? 1.0 - fromPole : fromPole;
 }
 
 /// Fills in all that a solid's point and normal decide.
