@@ -111,7 +111,7 @@ Image loadImage(const std::string& path, const ImageLimits& limits, Diagnostics&
     }
     warnOfExtension(*format, path, diagnostics);
     if (format->reader == nullptr) return readPng(InputFile(path).readAll(), path, limits);
-    Image image = readThroughOiio(path, format->reader, limits);
+    Image image = readThroughOiio(path, format->reader, limits, oiioLibrary());
     if (!limits.keepAllValues) cleanFloats(image, path, diagnostics);
     return image;
 }

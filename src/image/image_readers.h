@@ -3,6 +3,7 @@
 
 #include "rt/core/input_file.h"
 #include "rt/image/image.h"
+#include "rt/image/oiio_library.h"
 
 #include <cstdint>
 #include <span>
@@ -18,7 +19,9 @@ void checkSize(std::uint64_t width, std::uint64_t height, const std::string& pat
 Image readPng(std::span<const std::uint8_t> bytes, const std::string& path,
               const ImageLimits& limits);
 
-/// Reads a file as `format`, a name of OpenImageIO's.
-Image readThroughOiio(const std::string& path, const char* format, const ImageLimits& limits);
+/// Reads a file as `format`, a name of OpenImageIO's; SceneError with the library's problem if it
+/// has one.
+Image readThroughOiio(const std::string& path, const char* format, const ImageLimits& limits,
+                      const OiioLibrary& library);
 
 }  // namespace rt

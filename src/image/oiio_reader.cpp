@@ -1,5 +1,4 @@
 #include "image_readers.h"
-#include "rt/image/oiio_library.h"
 
 #include <array>
 #include <memory>
@@ -18,8 +17,8 @@ std::vector<Sample> copied(const RtOiioImage& image) {
 
 }  // namespace
 
-Image readThroughOiio(const std::string& path, const char* format, const ImageLimits& limits) {
-    const OiioLibrary& library = oiioLibrary();
+Image readThroughOiio(const std::string& path, const char* format, const ImageLimits& limits,
+                      const OiioLibrary& library) {
     if (!library) throw SceneError(library.problem, {path, 0});
 
     RtOiioImage raw{};

@@ -13,8 +13,9 @@ namespace {
 // What a colour profile may unpack to, beside the pixels.
 constexpr std::size_t kProfileRoom = std::size_t{16} << 20;
 
-// Not one of lodepng's own numbers.
-constexpr unsigned kZlibFailed = 9999;
+// lodepng's numbers for a failed decoder of ours, and for an image without pixels.
+constexpr unsigned kZlibFailed = 110;
+constexpr unsigned kNoPixels = 93;
 
 /// Upper bound on the filtered bytes of all rows. Interlaced images have up to 15/8 rows a row of
 /// pixels and 7 more, each with a filter byte and an incomplete byte.
@@ -82,7 +83,7 @@ Image readPng(std::span<const std::uint8_t> bytes, const std::string& path,
     unsigned width = 0;
     unsigned height = 0;
     unsigned error = lodepng_inspect(&width, &height, &state, bytes.data(), bytes.size());
-    if (error == 0 || error == 93) checkSize(width, height, path, limits);
+    if (error == 0 || error == kNoPixels) checkSize(width, height, path, limits);
     if (error != 0) fail(path, error);
 
     const LodePNGColorMode& color = state.info_png.color;
