@@ -110,6 +110,16 @@ void readImage(const char* path, const char* format, std::uint64_t maxPixels, Rt
     }
 }
 
+/// OpenImageIO stores the current time unless it finds one. Equal images are to be equal files, so
+/// it finds an empty one, or in a TIFF one of a type that it passes over without a tag.
+void leaveOutTime(OIIO::ImageSpec& spec, const std::string& format) {
+    if (format == "tiff") {
+        spec.attribute("DateTime", 0);
+    } else {
+        spec.attribute("DateTime", "");
+    }
+}
+
 void writeImage(const char* format, const RtOiioImage& image, const RtOiioEntry* entries,
                 std::size_t entryCount, std::vector<unsigned char>& bytes) {
     const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format);
@@ -118,6 +128,7 @@ void writeImage(const char* format, const RtOiioImage& image, const RtOiioEntry*
     OIIO::ImageSpec spec(image.width, image.height, image.channels, kept.type);
     for (std::size_t i = 0; i < entryCount; ++i)
         spec.attribute(entries[i].keyword, entries[i].text);
+    leaveOutTime(spec, format);
     OIIO::Filesystem::IOVecOutput memory;
     if (!output->supports("ioproxy") || !output->set_ioproxy(&memory)) {
         throw std::runtime_error("this format cannot be written into memory");

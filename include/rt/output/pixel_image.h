@@ -15,9 +15,12 @@ struct PixelImage {
     int height = 0;
     std::vector<Color> pixels;
 
-    const Color& at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x)];
+    const Color& at(int x, int y) const { return pixels[indexOf(x, y)]; }
+    Color& at(int x, int y) { return pixels[indexOf(x, y)]; }
+
+    std::size_t indexOf(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
     }
 };
 
