@@ -4,7 +4,7 @@
 // of Ten Hidden-Surface Algorithms", 1974), with the coordinate of its largest component left out.
 // If the fan of corner 0 turns one way throughout, that is the triangulation: true for every convex
 // polygon without straight corners. Else ears are cut off (Meisters, "Polygons Have Ears", 1975),
-// with the reflex corners in a grid.
+// with the reflex corners in a tree.
 //
 // Every polygon of n corners gives n - 2 triangles with its own orientation, some without area
 // where corners coincide or lie in line. A polygon that crosses itself is covered in some defined
