@@ -30,6 +30,10 @@ bool liesBelow(const fs::path& path, const fs::path& folder) {
     return difference.first == folder.end();
 }
 
+void addOnce(std::vector<fs::path>& paths, const fs::path& path) {
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+}
+
 std::string list(const std::vector<fs::path>& paths) {
     std::string text;
     for (const fs::path& path : paths) text += "\n    " + printable(path.string(), 512);
@@ -60,24 +64,24 @@ AssetSearch::AssetSearch(const fs::path& currentFolder, const fs::path& sceneFol
 std::vector<AssetSearch::Candidate> AssetSearch::candidates(const std::string& name,
                                                             AssetRole role) const {
     std::vector<Candidate> all;
-    const auto add = [&](const fs::path& path, const Base& base) {
+    const auto add = [&](const fs::path& path, const Base* open = nullptr) {
         const auto same = [&](const Candidate& other) { return other.path == path; };
-        if (std::none_of(all.begin(), all.end(), same)) all.push_back({path, &base});
+        if (std::none_of(all.begin(), all.end(), same)) all.push_back({path, open});
     };
     for (const Base& base : bases_) {
-        if (base.open || trust_) add(base.folder / name, base);
+        if (base.open || trust_) add(base.folder / name, &base);
     }
     for (const Base& base : bases_) {
         const fs::path assets = base.folder / kAssets;
-        for (const char* folder : roleFolders(role)) add(base.folder / folder / name, base);
-        for (const char* folder : roleFolders(role)) add(assets / folder / name, base);
-        add(assets / name, base);
+        for (const char* folder : roleFolders(role)) add(base.folder / folder / name);
+        for (const char* folder : roleFolders(role)) add(assets / folder / name);
+        add(assets / name);
     }
     return all;
 }
 
-bool AssetSearch::mayRead(const fs::path& path, const Base& base) const {
-    if (trust_ || (base.open && liesBelow(path, base.folder))) return true;
+bool AssetSearch::mayRead(const fs::path& path, const Base* open) const {
+    if (trust_ || (open && liesBelow(path, open->folder))) return true;
     return std::any_of(roots_.begin(), roots_.end(),
                        [&](const fs::path& root) { return liesBelow(path, root); });
 }
@@ -93,12 +97,13 @@ AssetSearch::Found AssetSearch::find(const std::string& name, AssetRole role) co
     for (const Candidate& candidate : candidates(name, role)) {
         const fs::path path = resolved(candidate.path);
         std::error_code failed;
-        if (!mayRead(path, *candidate.base)) {
-            denied.push_back(candidate.path.lexically_normal());
+        if (!mayRead(path, candidate.open)) {
+            addOnce(denied, candidate.path.lexically_normal());
         } else if (fs::is_regular_file(path, failed)) {
             return {path.string(), ""};
         } else {
-            (fs::exists(path, failed) ? strange : missing).push_back(candidate.path);
+            addOnce(fs::exists(path, failed) ? strange : missing,
+                    candidate.path.lexically_normal());
         }
     }
     std::string message = "cannot find " + quoted;

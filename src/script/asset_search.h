@@ -12,9 +12,9 @@ enum class AssetRole { kMesh, kTexture, kBump };
 /// Looks for assets as given from the current folder, the scene's folder and its parent; then, in
 /// each of the three, in the folders of the role (also below Assets/), then in Assets/.
 ///
-/// Without trust a file must be named by a relative path and lie, after links are resolved, in the
-/// folder that it was looked for from, or in the current folder, the scene's folder, or one of
-/// the asset folders. Only regular files count.
+/// Without trust a file must be named by a relative path and lie, after links are resolved, below
+/// the current folder, the scene's folder or one of the asset folders; or below the parent, if it
+/// is named from there. Only regular files count.
 class AssetSearch {
   public:
     AssetSearch(const std::filesystem::path& currentFolder,
@@ -33,11 +33,11 @@ class AssetSearch {
     };
     struct Candidate {
         std::filesystem::path path;
-        const Base* base;
+        const Base* open;  ///< the folder whose files it may name, beside the roots
     };
 
     std::vector<Candidate> candidates(const std::string& name, AssetRole role) const;
-    bool mayRead(const std::filesystem::path& resolved, const Base& base) const;
+    bool mayRead(const std::filesystem::path& resolved, const Base* open) const;
 
     std::vector<Base> bases_;
     std::vector<std::filesystem::path> roots_;  ///< resolved; what lies below them may be read
