@@ -16,7 +16,7 @@ void visitBlocks(const WideTree& tree, const LargeArray<TriangleBlock>& blocks, 
                  Interval& range, Visit&& visit) {
     BoxRay boxRay;
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return;
-    LeafWalk walk(tree, boxRay);
+    LeafWalk walk(tree, boxRay, blocks.data(), sizeof(TriangleBlock));
     walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
              [&](ChildRef leaf, float& tauMax) {
                  const double before = range.max;

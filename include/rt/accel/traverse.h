@@ -19,60 +19,59 @@ namespace rt {
 /// Depth-first walk over the leaves that a ray meets, with the stack that it needs.
 class LeafWalk {
   public:
-    LeafWalk(const WideTree& tree, const BoxRay& ray) : nodes_(tree.nodes()), boxes_(ray) {}
+    /// `leaves` points to what leaves number, `leafStride` bytes each: fetched ahead of its use.
+    LeafWalk(const WideTree& tree, const BoxRay& ray, const void* leaves, std::size_t leafStride)
+        : nodes_(tree.nodes()),
+          leaves_(static_cast<const char*>(leaves)),
+          leafStride_(leafStride),
+          boxes_(ray) {}
 
     /// Calls leaf(ChildRef, tauMax) for the leaves met in [tauMin, tauMax], near ones first, until
     /// it returns true. It may lower tauMax.
     template <class Leaf>
     void run(float tauMin, float tauMax, Leaf&& leaf) {
+        WaitingChild* top = stack_;
         std::uint32_t current = ChildRef::node(0).bits();
         for (;;) {
             const ChildRef child = ChildRef::fromBits(current);
             if (child.isLeaf()) {
                 if (leaf(child, tauMax)) return;
-            } else if (descend(nodes_[child.nodeIndex()], tauMin, tauMax, current)) {
-                continue;
+            } else {
+                const WideNode& node = nodes_[child.nodeIndex()];
+                const int met = boxes_.meet(node, tauMin, tauMax, top, current);
+                if (met > 0) {
+                    for (int i = 1; i < met; ++i) fetch((top++)->child);
+                    continue;
+                }
             }
             do {
-                if (size_ == 0) return;
-                --size_;
-            } while (!(stack_[size_].entry <= tauMax));
-            current = stack_[size_].child;
+                if (top == stack_) return;
+                --top;
+            } while (!(top->entry <= tauMax));
+            current = top->child;
         }
     }
 
   private:
-    struct Entry {
-        float entry;
-        std::uint32_t child;
-    };
-    /// Every level leaves at most seven siblings behind.
-    static constexpr int kStackSize = (kTreeWidth - 1) * (WideTree::kMaxDepth + 1) + 1;
+    /// Every level leaves at most seven siblings behind, and the last one writes eight.
+    static constexpr int kStackSize = (kTreeWidth - 1) * (WideTree::kMaxDepth + 1) + kTreeWidth;
 
-    /// Puts the children that the ray meets on the stack, far ones first, and the nearest into
-    /// `nearest`; false where there is none.
-    bool descend(const WideNode& node, float tauMin, float tauMax, std::uint32_t& nearest) {
-        alignas(32) float entry[kTreeWidth];
-        unsigned mask = boxes_.meet(node, tauMin, tauMax, entry);
-        if (mask == 0) return false;
-        const int base = size_;
-        for (; mask != 0; mask &= mask - 1) {
-            const int lane = std::countr_zero(mask);
-            const Entry added{entry[lane], node.child[lane]};
-            int place = size_++;
-            for (; place > base && stack_[place - 1].entry < added.entry; --place) {
-                stack_[place] = stack_[place - 1];
-            }
-            stack_[place] = added;
-        }
-        nearest = stack_[--size_].child;
-        return true;
+    /// Starts to load the lines of a child that will be looked at soon.
+    void fetch(std::uint32_t bits) const {
+        const ChildRef child = ChildRef::fromBits(bits);
+        const char* at = child.isLeaf() ? leaves_ + child.first() * leafStride_
+                                        : reinterpret_cast<const char*>(nodes_ + child.nodeIndex());
+        __builtin_prefetch(at);
+        __builtin_prefetch(at + 64);
+        __builtin_prefetch(at + 128);
+        __builtin_prefetch(at + 192);
     }
 
     const WideNode* nodes_;
+    const char* leaves_;
+    std::size_t leafStride_;
     BoxTester boxes_;
-    int size_ = 0;
-    Entry stack_[kStackSize];
+    WaitingChild stack_[kStackSize];
 };
 
 /// Calls test(item, Interval now) -> double for the items whose boxes meet the ray, roughly near to
@@ -81,7 +80,7 @@ template <class LeafTest>
 void traverseClosest(const WideTree& tree, const Ray& ray, Interval range, LeafTest&& test) {
     BoxRay boxRay;
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return;
-    LeafWalk walk(tree, boxRay);
+    LeafWalk walk(tree, boxRay, tree.items(), sizeof(Index));
     walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
              [&](ChildRef leaf, float& tauMax) {
                  for (std::uint32_t k = 0; k < leaf.count(); ++k) {
@@ -101,7 +100,7 @@ template <class LeafTest>
 bool traverseAny(const WideTree& tree, const Ray& ray, Interval range, LeafTest&& test) {
     BoxRay boxRay;
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return false;
-    LeafWalk walk(tree, boxRay);
+    LeafWalk walk(tree, boxRay, tree.items(), sizeof(Index));
     bool stopped = false;
     walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max), [&](ChildRef leaf, float&) {
         for (std::uint32_t k = 0; k < leaf.count() && !stopped; ++k) {

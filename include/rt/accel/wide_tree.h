@@ -79,6 +79,7 @@ class WideTree {
     std::size_t nodeCount() const { return nodes_.size(); }
     /// Position in `boxes` of what slot `slot` of a leaf's run holds.
     Index item(std::size_t slot) const { return items_[slot]; }
+    const Index* items() const { return items_.data(); }
     std::size_t itemCount() const { return items_.size(); }
     Bounds bounds() const { return bounds_; }
     std::size_t bytes() const { return nodes_.bytes() + items_.bytes(); }
