@@ -1,0 +1,177 @@
+#include "rt/sampling/pixel_filter.h"
+
+#include <doctest/doctest.h>
+
+#include "rt/sampling/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+struct Known {
+    FilterKind kind;
+    std::string name;
+    double radius;
+    double (*shape)(double);  ///< the published formula, not normalised
+};
+
+double box(double x) {
+    return std::fabs(x) <= 0.5 ? 1.0 : 0.0;
+}
+
+double gaussian(double x) {
+    return std::fabs(x) <= 1.5 ? std::exp(-2 * x * x) - std::exp(-4.5) : 0.0;
+}
+
+/// Mitchell and Netravali's equation (8) with its two parameters.
+double mitchell(double x) {
+    const double b = 1.0 / 3.0;
+    const double c = 1.0 / 3.0;
+    const double d = std::fabs(x);
+    if (d < 1) {
+        return ((12 - 9 * b - 6 * c) * d * d * d + (-18 + 12 * b + 6 * c) * d * d + (6 - 2 * b)) /
+               6;
+    }
+    if (d > 2) return 0.0;
+    return ((-b - 6 * c) * d * d * d + (6 * b + 30 * c) * d * d + (-12 * b - 48 * c) * d +
+            (8 * b + 24 * c)) /
+           6;
+}
+
+/// Harris' window over n = 0 .. 1, from edge to edge.
+double blackmanHarris(double x) {
+    if (std::fabs(x) > 1.5) return 0.0;
+    const double t = 2 * kPi * (x + 1.5) / 3.0;
+    return 0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t);
+}
+
+const std::vector<Known>& filters() {
+    static const std::vector<Known> all = {
+        {FilterKind::kBox, "box", 0.5, box},
+        {FilterKind::kGaussian, "gaussian", 1.5, gaussian},
+        {FilterKind::kMitchell, "mitchell", 2.0, mitchell},
+        {FilterKind::kBlackmanHarris, "blackman-harris", 1.5, blackmanHarris},
+    };
+    return all;
+}
+
+/// Integral of g from a to b by the midpoint rule on a fine grid.
+template <class Function>
+double integral(Function g, double a, double b) {
+    constexpr int kSteps = 100000;
+    const double step = (b - a) / kSteps;
+    double sum = 0.0;
+    for (int i = 0; i < kSteps; ++i) sum += g(a + (i + 0.5) * step);
+    return sum * step;
+}
+
+}  // namespace
+
+TEST_CASE("filters are the published functions, scaled to the integral 1") {
+    for (const Known& f : filters()) {
+        CAPTURE(f.name);
+        const PixelFilter& filter = PixelFilter::of(f.kind);
+        CHECK(filter.radius() == f.radius);
+        const double whole = integral(f.shape, -f.radius, f.radius);
+        for (double x = -2.2; x <= 2.2; x += 0.013) {
+            CAPTURE(x);
+            CHECK(filter.value(x) == doctest::Approx(f.shape(x) / whole).epsilon(1e-9).scale(1.0));
+        }
+    }
+    CHECK(PixelFilter::of(FilterKind::kMitchell).value(0.0) == doctest::Approx(8.0 / 9.0));
+    CHECK(PixelFilter::of(FilterKind::kMitchell).value(1.0) == doctest::Approx(1.0 / 18.0));
+    CHECK(PixelFilter::of(FilterKind::kMitchell).value(1.5) < 0.0);
+}
+
+TEST_CASE("the share of samples within a distance is the share of the filter's absolute integral") {
+    for (const Known& f : filters()) {
+        CAPTURE(f.name);
+        const PixelFilter& filter = PixelFilter::of(f.kind);
+        const auto absolute = [&](double x) { return std::fabs(f.shape(x)); };
+        const double whole = integral(absolute, -f.radius, f.radius);
+        for (const double u : {0.0, 1e-9, 0.001, 0.02, 0.1, 0.3, 0.45, 0.5, 0.6, 0.9, 0.97, 0.9999,
+                               1.0 - 1e-9, 1.0}) {
+            const double x = filter.sample({u, 0.5}).offset.x;
+            CAPTURE(u);
+            CAPTURE(x);
+            CHECK(std::fabs(x) <= f.radius);
+            CHECK(std::fabs(integral(absolute, -f.radius, x) / whole - u) < 1e-7);
+        }
+    }
+}
+
+TEST_CASE(
+    "offsets rise with the square's coordinates, each axis by itself, and mirror about the "
+    "centre") {
+    for (const Known& f : filters()) {
+        CAPTURE(f.name);
+        const PixelFilter& filter = PixelFilter::of(f.kind);
+        double last = -f.radius - 1.0;
+        constexpr int kSteps = 40000;
+        for (int i = 0; i <= kSteps; ++i) {
+            const double u = static_cast<double>(i) / kSteps;
+            const FilterSample s = filter.sample({u, 0.25});
+            REQUIRE(s.offset.x >= last);
+            last = s.offset.x;
+            REQUIRE(s.offset.y == filter.sample({0.7, 0.25}).offset.y);
+            REQUIRE(filter.sample({0.25, u}).offset.y == s.offset.x);
+            REQUIRE(filter.sample({1.0 - u, 0.25}).offset.x ==
+                    doctest::Approx(-s.offset.x).epsilon(1e-9).scale(1.0));
+        }
+        CHECK(last == doctest::Approx(f.radius));
+    }
+}
+
+TEST_CASE("weights are 1 for filters without negative lobes, and carry the sign of the others") {
+    for (const Known& f : filters()) {
+        CAPTURE(f.name);
+        const PixelFilter& filter = PixelFilter::of(f.kind);
+        const double whole = integral(f.shape, -f.radius, f.radius);
+        const double absolute =
+            integral([&](double x) { return std::fabs(f.shape(x)); }, -f.radius, f.radius) / whole;
+        for (std::uint64_t i = 0; i < 20000; ++i) {
+            const FilterSample s =
+                filter.sample({toUnit(mixBits(2 * i + 1)), toUnit(mixBits(2 * i + 2))});
+            const double product = filter.value(s.offset.x) * filter.value(s.offset.y);
+            REQUIRE(std::fabs(s.weight) == doctest::Approx(absolute * absolute).epsilon(1e-7));
+            if (f.kind != FilterKind::kMitchell) REQUIRE(s.weight == 1.0);
+            if (std::fabs(product) > 1e-6) REQUIRE((s.weight > 0.0) == (product > 0.0));
+        }
+    }
+}
+
+TEST_CASE("weighted means of samples are the filtered image") {
+    // Images of the form g(x) h(y), whose filtered value is a product of two integrals.
+    const auto wave = [](double x) { return std::cos(2.3 * x + 0.4); };
+    const auto ramp = [](double x) { return 1.0 + 0.5 * x + 0.2 * x * x; };
+    constexpr int kGrid = 512;
+    for (const Known& f : filters()) {
+        CAPTURE(f.name);
+        const PixelFilter& filter = PixelFilter::of(f.kind);
+        const double whole = integral(f.shape, -f.radius, f.radius);
+        const double expected =
+            integral([&](double x) { return f.shape(x) * wave(x); }, -f.radius, f.radius) / whole *
+            integral([&](double x) { return f.shape(x) * ramp(x); }, -f.radius, f.radius) / whole;
+        double sum = 0.0;
+        double weights = 0.0;
+        for (int i = 0; i < kGrid; ++i) {
+            for (int j = 0; j < kGrid; ++j) {
+                const FilterSample s = filter.sample({(i + 0.5) / kGrid, (j + 0.5) / kGrid});
+                sum += s.weight * wave(s.offset.x) * ramp(s.offset.y);
+                weights += s.weight;
+            }
+        }
+        // A grid resolves the steps of signed weights to about 1/kGrid for each of their eight
+        // sides.
+        const double tolerance = f.kind == FilterKind::kMitchell ? 8.0 / kGrid : 1e-4;
+        CHECK(sum / (kGrid * kGrid) == doctest::Approx(expected).epsilon(tolerance));
+        CHECK(weights / (kGrid * kGrid) == doctest::Approx(1.0).epsilon(tolerance));
+    }
+}
