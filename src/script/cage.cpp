@@ -31,22 +31,22 @@ bool liesBelow(const std::string& path, const std::string& folder) {
     return path == folder || path.starts_with(folder + "/");
 }
 
+bool isLink(const std::string& path) {
+    struct stat status {};
+    return ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
+}
+
 /// Whether a path that does not exist would lie below the folder: its nearest existing ancestor
-/// does, and no ".." follows.
+/// does, and neither ".." nor a dangling link, which leads nobody knows where, follows.
 bool wouldLieBelow(std::string path, const std::string& folder) {
     while (true) {
         const std::size_t slash = path.find_last_of('/');
         if (slash == std::string::npos || slash == 0) return false;
         const std::string name = path.substr(slash + 1);
         path.resize(slash);
-        if (name == "..") return false;
+        if (name == ".." || isLink(path + "/" + name)) return false;
         if (const auto resolved = realPath(path)) return liesBelow(*resolved, folder);
     }
-}
-
-bool isLink(const std::string& path) {
-    struct stat status {};
-    return ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode);
 }
 
 /// Files of these systems claim to be regular and are not.
@@ -88,8 +88,7 @@ Resolved resolveBelow(const std::string& folder, const std::string& relative) {
         if (liesBelow(*resolved, *root)) return {Resolved::Kind::kFound, *resolved};
         return {Resolved::Kind::kOutside, ""};
     }
-    // A dangling link leads nobody knows where.
-    const bool inside = wouldLieBelow(whole, *root) && !isLink(whole);
+    const bool inside = wouldLieBelow(whole, *root);
     return {inside ? Resolved::Kind::kMissing : Resolved::Kind::kOutside, ""};
 }
 

@@ -6,6 +6,8 @@
 #include "script_host.h"
 #include "script_text.h"
 
+#include <stdio_ext.h>
+
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -15,6 +17,9 @@ namespace {
 
 /// Instructions between two looks at the clock: some ten microseconds.
 constexpr int kInstructionsPerLook = 1000;
+
+/// Three years: more is no limit, and clocks could not count it.
+constexpr double kForever = 1e8;
 
 /// Time is over: raises, and from here on at every instruction, so that no pcall outlives it.
 void onCount(lua_State* state, lua_Debug*) {
@@ -126,7 +131,7 @@ LuaState::LuaState(const LuaLimits& limits) : host_(std::make_unique<ScriptHost>
     try {
         lua_pushcfunction(host_->state, guarded<measureUserdata>);
         callFromOutside(host_->state, 0, 0);
-        if (limits.seconds > 0.0) startClock(*host_);
+        if (limits.seconds > 0.0 && limits.seconds < kForever) startClock(*host_);
     } catch (...) {
         lua_close(host_->state);
         throw;
@@ -177,7 +182,8 @@ void LuaState::runText(const std::string& text, const std::string& name,
         for (const std::string& argument : arguments) pushText(inner, argument);
         protectedCall(inner, static_cast<int>(arguments.size()), 0);
     });
-    std::fflush(host_->output);
+    // What cannot be written now must not be tried again when the process ends.
+    if (std::fflush(host_->output) != 0) __fpurge(host_->output);
     if (host_->time.expired) throw LimitError(host_->time.message, host_->time.where);
 }
 

@@ -89,6 +89,7 @@ void* MemoryBudget::grow(void* block, std::size_t newSize, int kind) noexcept {
 
 void MemoryBudget::refuse() noexcept {
     refused_ = true;
+    collectionDue_ = true;
     refusalLine_ = 0;
     refusalChunk_[0] = '\0';
     lua_Debug frame{};

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace rt {
 
@@ -40,6 +41,8 @@ class MemoryBudget {
     bool hasRefused() const { return refused_; }
     void forgetRefusal() { refused_ = false; }
     SourceLocation refusalLine() const { return {refusalChunk_.data(), refusalLine_}; }
+    /// Whether the cap was met since the last call of this.
+    bool takeCollectionDue() { return std::exchange(collectionDue_, false); }
     /// The state to look for script lines in; null while there is none.
     void watch(lua_State* state) { watched_ = state; }
 
@@ -55,6 +58,7 @@ class MemoryBudget {
     std::size_t used_ = 0;
     bool suspended_ = false;
     bool refused_ = false;
+    bool collectionDue_ = false;
     std::array<char, LUA_IDSIZE> refusalChunk_{};
     int refusalLine_ = 0;
     lua_State* watched_ = nullptr;

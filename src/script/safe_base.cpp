@@ -24,6 +24,14 @@ int setMetatable(lua_State* state) {
     return callWrapped(state);
 }
 
+/// pcall or xpcall. What a failure for want of memory has let go must be collected here: the
+/// buffers of Lua's string functions give up without a try. No C++ object lives here.
+int callAndCollect(lua_State* state) {
+    const int results = callWrapped(state);
+    if (hostOf(state).memory.takeCollectionDue()) lua_gc(state, LUA_GCCOLLECT, 0);
+    return results;
+}
+
 void refuseFunctions(lua_State* state, const char* library,
                      std::initializer_list<const char*> names) {
     const StackGuard guard(state);
@@ -39,6 +47,8 @@ void openSafeBase(lua_State* state) {
     const StackGuard guard(state);
     lua_pushglobaltable(state);
     wrapFunction(state, -1, "setmetatable", setMetatable);
+    wrapFunction(state, -1, "pcall", callAndCollect);
+    wrapFunction(state, -1, "xpcall", callAndCollect);
     if (hostOf(state).cage.trust()) {
         pushLibrary(state, "debug");
         wrapFunction(state, -1, "setmetatable", setMetatable);

@@ -31,8 +31,13 @@ std::string tracebackOf(lua_State* state) {
     return toText(state, -1).value_or("");
 }
 
+/// Whether the text is that of the last C++ exception, perhaps with something put in front.
+bool comesFromHost(const ScriptHost& host, const std::string& raised) {
+    return !host.raisedText.empty() && raised.find(host.raisedText) != std::string::npos;
+}
+
 ExitCode codeOf(const ScriptHost& host, const std::string& raised) {
-    if (raised == host.raisedText) return host.raisedCode;
+    if (comesFromHost(host, raised)) return host.raisedCode;
     const bool memory = host.memory.hasRefused() && raised.find(kNoMemory) != std::string::npos;
     return memory ? ExitCode::kLimit : ExitCode::kScene;
 }
@@ -46,16 +51,23 @@ SourceLocation refusalLine(const ScriptHost& host) {
     return where;
 }
 
+/// The message: Lua's own words on memory name neither the limit nor, always, the line.
+std::string messageFor(lua_State* state, const std::string& raised, ExitCode code) {
+    const ScriptHost& host = hostOf(state);
+    if (code == ExitCode::kLimit && !comesFromHost(host, raised)) {
+        return refusalLine(host).prefix() + host.memory.message();
+    }
+    return located(state, raised);
+}
+
 int noteFailureSafely(lua_State* state) {
     ScriptHost& host = hostOf(state);
     const std::string raised = describeError(state, 1);
     lua_settop(state, 1);
     if (host.failure.known && host.failure.raised == raised) return 1;
-    RunFailure failure{true, raised, codeOf(host, raised), located(state, raised), ""};
+    const ExitCode code = codeOf(host, raised);
+    RunFailure failure{true, raised, code, messageFor(state, raised, code), ""};
     failure.traceback = printable(tracebackOf(state));
-    if (failure.code == ExitCode::kLimit && raised != host.raisedText) {
-        failure.text = refusalLine(host).prefix() + host.memory.message();
-    }
     host.failure = std::move(failure);
     return 1;
 }
@@ -109,7 +121,9 @@ std::string describeError(lua_State* state, int index) {
 }
 
 int noteFailure(lua_State* state) {
-    return guarded<noteFailureSafely>(state);
+    // An error of the handler would call the handler: what it overdraws must not be one.
+    const int results = detail::runGuarded(state, noteFailureSafely, detail::Overdraft::kLeave);
+    return results >= 0 ? results : 1;
 }
 
 void callFromOutside(lua_State* state, int arguments, int results) {
@@ -127,10 +141,8 @@ void callFromOutside(lua_State* state, int arguments, int results) {
     if (!host.failure.known) {
         // Lua calls no handler when memory or the C stack is at its end.
         const std::string raised = toText(state, -1).value_or("error in error handling");
-        host.failure = {true, raised, codeOf(host, raised), raised, ""};
-        if (host.failure.code == ExitCode::kLimit) {
-            host.failure.text = refusalLine(host).prefix() + host.memory.message();
-        }
+        const ExitCode code = codeOf(host, raised);
+        host.failure = {true, raised, code, messageFor(state, raised, code), ""};
     }
     lua_pop(state, 1);
     throwFailure(host);

@@ -35,6 +35,15 @@ int pushMemoryError(lua_State* state) noexcept {
     }
 }
 
+int pushInternal(lua_State* state, const char* what) noexcept {
+    try {
+        return pushRaised(state, ExitCode::kInternal,
+                          ("internal error: " + std::string(what)).c_str());
+    } catch (...) {
+        return pushRaised(state, ExitCode::kInternal, "internal error");
+    }
+}
+
 int pushFailure(lua_State* state) noexcept {
     lua_settop(state, 0);
     lua_rawgetp(state, LUA_REGISTRYINDEX, &kFailureSlot);
@@ -52,10 +61,22 @@ int callAndCatch(lua_State* state, int (*function)(lua_State*)) noexcept {
     } catch (const std::bad_alloc&) {
         return pushMemoryError(state);
     } catch (const std::exception& error) {
-        return pushRaised(state, ExitCode::kInternal, error.what());
+        return pushInternal(state, error.what());
     } catch (...) {
-        return pushRaised(state, ExitCode::kInternal, "unknown exception");
+        return pushInternal(state, "unknown exception");
     }
+}
+
+/// Whether the memory that a callback took beyond the cap is still in use when it returns.
+bool staysOverdrawn(lua_State* state, int results) {
+    const MemoryBudget& memory = hostOf(state).memory;
+    if (!memory.isOverdrawn()) return false;
+    if (results < lua_gettop(state)) {
+        lua_rotate(state, 1, results);
+        lua_settop(state, results);
+    }
+    lua_gc(state, LUA_GCCOLLECT, 0);
+    return memory.isOverdrawn();
 }
 
 /// While script finalisers exist, no collection may run among C++ objects.
@@ -67,7 +88,8 @@ bool pauseCollector(lua_State* state, const ScriptHost& host) {
 
 }  // namespace
 
-int detail::runGuarded(lua_State* state, int (*function)(lua_State*)) noexcept {
+int detail::runGuarded(lua_State* state, int (*function)(lua_State*),
+                       Overdraft overdraft) noexcept {
     ScriptHost& host = hostOf(state);
     // A finaliser runs inside the allocation of another callback (with the collector off), whose
     // suspension must outlive it. Any other callback starts from Lua code: a suspension found
@@ -78,16 +100,10 @@ int detail::runGuarded(lua_State* state, int (*function)(lua_State*)) noexcept {
     const int results = callAndCatch(state, function);
     if (paused) lua_gc(state, LUA_GCRESTART, 0);
     if (inFinaliser) return results;
-    if (results >= 0 && host.memory.isOverdrawn()) {
-        lua_gc(state, LUA_GCCOLLECT, 0);
-        if (host.memory.isOverdrawn()) {
-            const int raised = pushMemoryError(state);
-            host.memory.suspend(false);
-            return raised;
-        }
-    }
+    const bool raises =
+        overdraft == Overdraft::kRaise && results >= 0 && staysOverdrawn(state, results);
     host.memory.suspend(false);
-    return results;
+    return raises ? pushMemoryError(state) : results;
 }
 
 void protectedCall(lua_State* state, int arguments, int results) {

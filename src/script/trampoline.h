@@ -39,8 +39,11 @@ std::string failureMessage(lua_State* state);
 SourceLocation callerLocation(lua_State* state);
 
 namespace detail {
+/// What becomes of memory beyond the cap when a callback returns.
+enum class Overdraft { kRaise, kLeave };
 /// Runs the callback; where it threw, the error value is on the stack and the result is negative.
-int runGuarded(lua_State* state, int (*function)(lua_State*)) noexcept;
+int runGuarded(lua_State* state, int (*function)(lua_State*),
+               Overdraft overdraft = Overdraft::kRaise) noexcept;
 }  // namespace detail
 
 /// The lua_CFunction of the callback F. What F throws becomes a Lua error: an rt::Error the string
