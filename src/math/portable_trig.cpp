@@ -10,6 +10,8 @@ using namespace tables;
 
 /// Below this, x^3/6 and x^3/3 are less than a quarter of an ulp of x.
 constexpr double kTiny = 0x1p-27;
+/// Up to here there is nothing to reduce.
+constexpr double kQuarterPi = 0.5 * kHalfPiHi;
 /// Up to here n = x / (pi/2) has 20 bits, and n kReduce1 is exact.
 constexpr double kSmallLimit = 0x1p20;
 
@@ -128,6 +130,10 @@ struct Cos {
 
 struct Both {
     RT_KERNEL SinCos evaluate(double x) {
+        if (std::fabs(x) <= kQuarterPi) {
+            const double cosine = total(cosParts(x, 0.0));
+            return {std::fabs(x) < kTiny ? x : total(sinParts(x, 0.0)), cosine};
+        }
         if (!std::isfinite(x)) return {x - x, x - x};
         const Reduced angle = reduce(x);
         const double s = total(sinParts(angle.hi, angle.lo));
@@ -135,9 +141,7 @@ struct Both {
         const bool odd = (angle.quadrant & 1) != 0;
         const double sine = odd ? c : s;
         const double cosine = odd ? s : c;
-        return {std::fabs(x) < kTiny        ? x
-                : (angle.quadrant & 2) != 0 ? -sine
-                                            : sine,
+        return {(angle.quadrant & 2) != 0 ? -sine : sine,
                 ((angle.quadrant + 1) & 2) != 0 ? -cosine : cosine};
     }
 };

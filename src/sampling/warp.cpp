@@ -17,7 +17,7 @@ Vec2 concentricDisc(const Vec2& u) {
     const portable::SinCos angle = portable::sincos(kQuarterPi * (other / radius));
     const double along = radius * angle.cos;
     const double across = radius * angle.sin;
-    return sideways ? Vec2(along, across) : Vec2(across, along);
+    return {sideways ? along : across, sideways ? across : along};
 }
 
 Basis orthonormalBasis(const Vec3& n) {
