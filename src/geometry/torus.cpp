@@ -3,10 +3,10 @@
 #include "rt/core/numeric.h"
 #include "rt/math/portable.h"
 #include "torus_line.h"
+#include "torus_search.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -15,117 +15,12 @@ namespace rt {
 namespace {
 
 using torus::Line;
-using torus::Sample;
+using torus::Search;
 using torus::Sheet;
+using torus::Window;
 
 constexpr Index kOuterSheet = 0;
 constexpr Index kLemon = 1;
-
-/// Which s may be answered. Rounding is monotone: where the t of one s is out of range on one
-/// side, so are those of all s beyond.
-struct Window {
-    double tFoot;
-    double unit;
-    Interval range;
-
-    double start() const { return (range.min - tFoot) / unit; }
-    double startMagnitude() const { return std::fabs(range.min / unit); }
-    double t(double s) const { return std::fma(s, unit, tFoot); }
-    bool contains(double s) const { return range.contains(t(s)); }
-    bool endsBefore(double s) const { return !(t(s) < range.max); }
-    bool startsAfter(double s) const { return !(t(s) > range.min); }
-};
-
-/// Where between an outside and an inside sample the parabola through both, with the outside one's
-/// tangent, is zero.
-double parabolaRoot(const Sample& outside, const Sample& inside) {
-    const double width = inside.s - outside.s;
-    const double half = outside.slope / outside.rho;
-    const double bend = (inside.value - outside.value - 2.0 * half * width) / (width * width);
-    const double root = std::sqrt(std::max(0.0, half * half - outside.value * bend));
-    return outside.s + outside.value / (std::copysign(root, width) - half);
-}
-
-/// The first root in `window` of a stretch where sign * f is convex.
-bool nearestOnStretch(const Sheet& sheet, const Sample& low, const Sample& high, double sign,
-                      double middle, const Window& window, double& s) {
-    if (low.isOutside() != high.isOutside()) {
-        s = sheet.rootBetween(low, high,
-                              low.isOutside() ? parabolaRoot(low, high) : parabolaRoot(high, low));
-        return window.contains(s);
-    }
-    if (low.isOutside() != (sign > 0.0)) return false;
-    Sample dip;
-    if (!sheet.findDip(low, high, sign, middle, dip)) return false;
-    // The parabola that touches f at the dip.
-    const double bend = dip.bend / (dip.rho * dip.rho * dip.rho);
-    const double half = dip.slope / dip.rho;
-    const double root = std::sqrt(std::max(0.0, half * half - dip.value * bend));
-    if (!window.startsAfter(dip.s)) {
-        s = sheet.rootBetween(low, dip, dip.s - (half * sign + root) / (bend * sign));
-        if (window.contains(s)) return true;
-    }
-    s = sheet.rootBetween(dip, high, dip.s - (half * sign - root) / (bend * sign));
-    return window.contains(s);
-}
-
-/// Where the slopes of the chord's ends would meet zero, were f'' constant between them.
-double secantMinimum(const Sample& low, const Sample& high) {
-    const double a = low.slope * high.rho;
-    const double b = high.slope * low.rho;
-    return (low.s * b - high.s * a) / (b - a);
-}
-
-/// The first root in `window` between two samples, the second outside the sheet.
-bool nearestOnSheet(const Sheet& sheet, const Sample& low, const Sample& high, const Window& window,
-                    double& s) {
-    const double halfWidth = sheet.concaveHalfWidth();
-    const double axis = halfWidth >= 0.0 ? sheet.nearestToAxis() : 0.0;
-    const double bendsDown = axis - halfWidth;
-    const double bendsUp = axis + halfWidth;
-    if (!(halfWidth >= 0.0 && bendsDown < high.s && bendsUp > low.s)) {
-        return nearestOnStretch(sheet, low, high, 1.0, secantMinimum(low, high), window, s);
-    }
-    Sample from = low;
-    if (bendsDown > low.s) {
-        from = sheet.sample(bendsDown);
-        if (!window.startsAfter(bendsDown) &&
-            nearestOnStretch(sheet, low, from, 1.0, secantMinimum(low, from), window, s)) {
-            return true;
-        }
-        if (window.endsBefore(bendsDown)) return false;
-    }
-    const Sample to = bendsUp < high.s ? sheet.sample(bendsUp) : high;
-    if (from.s < to.s && !window.startsAfter(to.s) &&
-        nearestOnStretch(sheet, from, to, -1.0, axis, window, s)) {
-        return true;
-    }
-    return to.s < high.s &&
-           nearestOnStretch(sheet, to, high, 1.0, secantMinimum(to, high), window, s);
-}
-
-/// The line where the range starts. Within the roundings of a root the start counts as that root,
-/// and only the way it leaves tells on which side it is.
-Sample sampleAtStart(const Sheet& sheet, const Window& window) {
-    Sample start = sheet.sample(window.start());
-    const double half = std::fabs(start.slope) / start.rho;
-    const double blur = sheet.blur() + 2.0 * half * kTorusSway * window.startMagnitude();
-    if (!(std::fabs(start.value) <= blur)) return start;
-    const Sample beyond = sheet.sample(start.s + blur / half);
-    if (std::fabs(beyond.value) > blur && beyond.isOutside() == (start.slope >= 0.0)) return beyond;
-    start.value = std::copysign(std::numeric_limits<double>::min(), start.slope);
-    return start;
-}
-
-/// The first root in `window` between `from` and `to`, both outside the sheet.
-bool nearestBetween(const Sheet& sheet, double from, double to, const Window& window, double& s) {
-    const Sample low = window.startsAfter(from) ? sampleAtStart(sheet, window) : sheet.sample(from);
-    if (low.isOutside()) {
-        s = sheet.entryAfter(low, to);
-        if (!window.startsAfter(s)) return window.contains(s);
-    }
-    return nearestOnSheet(sheet, low, sheet.sample(to), window, s);
-}
 
 /// For directions so short or long that their powers would leave the doubles: the same with the
 /// direction scaled by a power of two.
@@ -243,17 +138,18 @@ bool Torus::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
     if (window.startsAfter(to) || window.endsBefore(from)) return false;
 
     const Sheet sheet(line, scaledMajor_, scaledMinor_);
-    double s = 0.0;
-    bool found = nearestBetween(sheet, from, to, window, s);
+    Search outside(sheet, window);
+    bool found = outside.between(from, to);
+    double s = outside.root();
     Index part = kOuterSheet;
     if (scaledMinor_ > scaledMajor_ && window.startsAfter(from)) {
         // Only from within the outer sheet is the inner one met first.
         const Sheet lemon(line, -scaledMajor_, scaledMinor_);
         Window before = window;
         if (found) before.range.max = window.t(s);
-        double inner = 0.0;
-        if (nearestBetween(lemon, from, to, before, inner)) {
-            s = inner;
+        Search inside(lemon, before);
+        if (inside.between(from, to)) {
+            s = inside.root();
             part = kLemon;
             found = true;
         }

@@ -147,7 +147,7 @@ class Sheet {
         double to = high.s;
         double s = start;
         for (int i = 0; i < kTorusMaxSteps; ++i) {
-            if (!(from < s && s < to)) s = 0.5 * (from + to);
+            if (i >= kTorusPatience || !(from < s && s < to)) s = 0.5 * (from + to);
             if (!(from < s && s < to)) break;
             const Sample at = sample(s);
             (at.isOutside() == low.isOutside() ? from : to) = s;
@@ -168,7 +168,9 @@ class Sheet {
             const double first = low.s - 0.5 * low.value * low.rho / low.slope;
             const double last = high.s - 0.5 * high.value * high.rho / high.slope;
             if (!(first <= last)) return false;
-            if (!(first < start && start < last)) start = 0.5 * (first + last);
+            if (i >= kTorusPatience || !(first < start && start < last)) {
+                start = 0.5 * (first + last);
+            }
             const Sample at = sample(start);
             if (at.isOutside() != low.isOutside()) {
                 dip = at;

@@ -38,7 +38,7 @@ class Random {
     double power(double from, double to) { return std::pow(10.0, uniform(from, to)); }
     Vec3 direction() {
         std::normal_distribution<double> gauss;
-        return glm::normalize(Vec3(gauss(engine_), gauss(engine_), gauss(engine_)));
+        return glm::normalize(Vec3{gauss(engine_), gauss(engine_), gauss(engine_)});
     }
     int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
 

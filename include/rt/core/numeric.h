@@ -29,6 +29,15 @@ inline constexpr double kCoincidence = 4096 * kUnitRoundoff;
 /// by at most 4 roundings (three of a length, one of the division), the product itself by 3.
 inline constexpr double kUnitDotError = gamma(11);
 
+/// Sine of an angle between two sides of a triangle below which it has no certain area: the sides,
+/// as rounded differences of the corners, turn by up to 2 roundings each, and their cross product is
+/// off by 3 more.
+inline constexpr double kNoAreaSine = gamma(7);
+
+/// Beyond so many roundings of its two products, a plain 2 x 2 determinant of rounded differences has
+/// the right sign (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997: 3 + 16 u).
+inline constexpr double kPlainOrientationError = gamma(4);
+
 /// a b - c d with an error of at most 1.5 roundings of the result, without cancellation
 /// (Kahan's difference of products; Jeannerod, Louvet, Muller, Math. Comp. 82, 2013).
 inline double differenceOfProducts(double a, double b, double c, double d) {
@@ -92,8 +101,9 @@ inline constexpr double kTorusLeastSpeed = 0x1p-250;
 /// How often Halley's iteration is let run unguarded: from a parabola, it takes one to three steps.
 inline constexpr int kTorusGlances = 4;
 
-/// Bisection alone would need 64 steps to run out of doubles.
-inline constexpr int kTorusMaxSteps = 80;
+/// After so many steps bisection takes over, and runs out of doubles within 64 more.
+inline constexpr int kTorusPatience = 16;
+inline constexpr int kTorusMaxSteps = kTorusPatience + 64;
 
 /// Added to rho^2, so that a quotient by rho is finite on the axis; far below any rounding.
 inline constexpr double kTorusAxisGuard = 0x1p-400;
