@@ -161,7 +161,13 @@ Vec3 normalizedOrZero(const Vec3& v) {
 }
 
 Vec3 unitFaceNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return normalizedOrZero(accurateCross(edgeDirection(a, b), edgeDirection(a, c)));
+    const Vec3 e = edgeDirection(a, b);
+    const Vec3 f = edgeDirection(a, c);
+    const Vec3 across = accurateCross(e, f);
+    // |across| = |e| |f| sin.
+    const double least = kNoAreaSine * kNoAreaSine * glm::dot(e, e) * glm::dot(f, f);
+    if (!(glm::dot(across, across) > least)) return Vec3(0.0);
+    return normalizedOrZero(across);
 }
 
 void smoothNormals(TriangleMesh& mesh, const MeshTopology& topology,

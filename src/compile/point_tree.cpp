@@ -16,9 +16,8 @@ double orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double left = e.x * f.y;
     const double right = e.y * f.x;
     const double plain = left - right;
-    // Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997: beyond 3 roundings of the two
-    // products the plain difference has the right sign.
-    if (std::fabs(plain) > gamma(4) * (std::fabs(left) + std::fabs(right))) return plain;
+    if (std::fabs(plain) > kPlainOrientationError * (std::fabs(left) + std::fabs(right)))
+        return plain;
     return differenceOfProducts(e.x, f.y, e.y, f.x);
 }
 

@@ -17,7 +17,8 @@
 
 namespace rt {
 
-/// (b - a) x (c - a), normalised, or 0 if the triangle has no area; right at every scale.
+/// (b - a) x (c - a), normalised, or 0 if the triangle has no area, or none that is certain in
+/// spite of the rounding of its sides; right at every scale.
 Vec3 unitFaceNormal(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// v / |v| at every scale, or 0 for the zero vector.
