@@ -58,7 +58,8 @@ class BlockTester {
           dz_(lanes::all(ray.dz)) {}
 
     /// Offers the hits of the block to `best`, and lowers range.max to the nearest.
-    void nearest(const TriangleBlock& block, Interval& range, NearestInBlocks& best) const {
+    [[gnu::always_inline]] void nearest(const TriangleBlock& block, Interval& range,
+                                        NearestInBlocks& best) const {
         eachGroup(block, range, [&](std::size_t first, const Hits& hits) {
             alignas(64) double t[lanes::kCount], u[lanes::kCount], v[lanes::kCount],
                 w[lanes::kCount];
@@ -77,7 +78,7 @@ class BlockTester {
     }
 
     /// Whether the block has a hit in `range`, its end included.
-    bool any(const TriangleBlock& block, Interval range) const {
+    [[gnu::always_inline]] bool any(const TriangleBlock& block, Interval range) const {
         return eachGroup(block, range, [&](std::size_t, const Hits& hits) {
             return (hits.mask & ~lanes::atLeast(hits.t, lanes::all(range.max))) != 0;
         });
@@ -92,7 +93,8 @@ class BlockTester {
     /// Calls take(first lane, hits) for groups of lanes with hits in ]range.min, range.max], until
     /// it returns true; returns whether it did.
     template <class Take>
-    bool eachGroup(const TriangleBlock& block, const Interval& range, Take&& take) const {
+    [[gnu::always_inline]] bool eachGroup(const TriangleBlock& block, const Interval& range,
+                                          Take&& take) const {
         using namespace lanes;
         const Table tz = relativeTo(block.corner[z_], originZ_);
         const Table tx = sheared(relativeTo(block.corner[x_], originX_), tz, shearX_);

@@ -36,17 +36,20 @@ class BoxTester {
                             WaitingChild* out);
 
 #if defined(__AVX2__)
+    static const float* planeAt(const WideNode& node, std::size_t offset) {
+        return reinterpret_cast<const float*>(reinterpret_cast<const char*>(&node) + offset);
+    }
     __m256 nearTau(const WideNode& node, int axis) const {
-        const __m256 plane = _mm256_load_ps(node.plane[nearPlane_[axis]]);
+        const __m256 plane = _mm256_load_ps(planeAt(node, nearPlane_[axis]));
         return _mm256_fmadd_ps(plane, reciprocal_[axis], nearShift_[axis]);
     }
     __m256 farTau(const WideNode& node, int axis) const {
-        const __m256 plane = _mm256_load_ps(node.plane[farPlane_[axis]]);
+        const __m256 plane = _mm256_load_ps(planeAt(node, farPlane_[axis]));
         return _mm256_fmadd_ps(plane, reciprocal_[axis], farShift_[axis]);
     }
 
     __m256 reciprocal_[3], nearShift_[3], farShift_[3];
-    int nearPlane_[3], farPlane_[3];
+    std::size_t nearPlane_[3], farPlane_[3];  ///< bytes from the start of a node
 #else
     const BoxRay& ray_;
 #endif
@@ -74,13 +77,13 @@ inline BoxTester::BoxTester(const BoxRay& ray) {
         reciprocal_[axis] = _mm256_set1_ps(ray.reciprocal[axis]);
         nearShift_[axis] = _mm256_set1_ps(ray.nearShift[axis]);
         farShift_[axis] = _mm256_set1_ps(ray.farShift[axis]);
-        nearPlane_[axis] = ray.nearPlane[axis];
-        farPlane_[axis] = ray.farPlane[axis];
+        nearPlane_[axis] = sizeof(__m256) * static_cast<std::size_t>(ray.nearPlane[axis]);
+        farPlane_[axis] = sizeof(__m256) * static_cast<std::size_t>(ray.farPlane[axis]);
     }
 }
 
-inline int BoxTester::meet(const WideNode& node, float tauMin, float tauMax, WaitingChild* out,
-                           std::uint32_t& nearest) const {
+[[gnu::always_inline]] inline int BoxTester::meet(const WideNode& node, float tauMin, float tauMax,
+                                                  WaitingChild* out, std::uint32_t& nearest) const {
     // Its line is wanted as soon as the boxes have been tested.
     __builtin_prefetch(node.child);
     const __m256 enter = _mm256_max_ps(_mm256_max_ps(nearTau(node, 0), nearTau(node, 1)),

@@ -29,7 +29,7 @@ class LeafWalk {
     /// Calls leaf(ChildRef, tauMax) for the leaves met in [tauMin, tauMax], near ones first, until
     /// it returns true. It may lower tauMax.
     template <class Leaf>
-    void run(float tauMin, float tauMax, Leaf&& leaf) {
+    [[gnu::always_inline]] void run(float tauMin, float tauMax, Leaf&& leaf) {
         WaitingChild* top = stack_;
         std::uint32_t current = ChildRef::node(0).bits();
         for (;;) {
