@@ -143,8 +143,8 @@ int step(lua_State* state) {
     if (!ownTable || !ownKey) {
         lua_pushcfunction(state, guarded<next>);
         lua_insert(state, 1);
-        lua_call(state, 2, 2);
-        return 2;
+        lua_call(state, 2, LUA_MULTRET);
+        return lua_gettop(state);
     }
     position = pushStep(state, 1, order, length, position);
     if (position == 0) return 1;

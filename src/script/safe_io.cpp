@@ -49,12 +49,13 @@ int open(lua_State* state) {
                          ")");
     const std::string mode = toText(state, 2).value_or("r");
     if (mode != "r" && mode != "rb") {
-        throw SceneError("io.open: mode '" + mode +
-                         "' is not available in the sandbox, only 'r' and 'rb' (see --trust)");
+        throw SceneError("io.open: mode " + quoted(mode) +
+                         " is not available in the sandbox, only 'r' and 'rb' (see --trust)");
     }
     const Resolved found = hostOf(state).cage.find(*name);
     if (found.kind == Resolved::Kind::kOutside) {
-        throw SceneError("io.open: '" + *name + "' is outside of the scene's folder (see --trust)");
+        throw SceneError("io.open: " + quoted(*name) +
+                         " is outside of the scene's folder (see --trust)");
     }
     if (found.kind == Resolved::Kind::kMissing) {
         return pushMissing(state, *name + ": No such file or directory", ENOENT);

@@ -31,7 +31,7 @@ void pushFileChunk(lua_State* state, const std::string& resolved, const std::str
 }
 
 std::string outsideMessage(const std::string& name) {
-    return "'" + name + "' is outside of the scene's folder (see --trust)";
+    return quoted(name) + " is outside of the scene's folder (see --trust)";
 }
 
 /// The file names that a module may have, by the templates of package.path.
@@ -66,7 +66,7 @@ std::string pushModuleLoader(lua_State* state, const std::string& module) {
         return "";
     }
     lua_pop(state, 2);
-    std::string tried = "\n\tno field package.preload['" + module + "']";
+    std::string tried = "\n\tno field package.preload[" + quoted(module) + "]";
     for (const std::string& file : moduleFiles(state, module)) {
         const Resolved found = hostOf(state).cage.find(file);
         if (found.kind == Resolved::Kind::kFound) {
@@ -75,7 +75,7 @@ std::string pushModuleLoader(lua_State* state, const std::string& module) {
             return "";
         }
         const bool outside = found.kind == Resolved::Kind::kOutside;
-        tried += outside ? "\n\t" + outsideMessage(file) : "\n\tno file '" + file + "'";
+        tried += outside ? "\n\t" + outsideMessage(file) : "\n\tno file " + quoted(file);
     }
     return tried;
 }
@@ -103,7 +103,7 @@ class LoadingMark {
 /// With trust, what is not in the scene's folder is left to Lua. Upvalue 1 is Lua's require.
 int requireElsewhere(lua_State* state, const std::string& module, const std::string& tried) {
     if (!hostOf(state).cage.trust()) {
-        throw SceneError("module '" + module + "' not found:" + tried);
+        throw SceneError("module " + quoted(module) + " not found:" + tried);
     }
     lua_pushvalue(state, lua_upvalueindex(1));
     pushText(state, module);
@@ -139,7 +139,8 @@ int pushDofileChunk(lua_State* state) {
     const Resolved found = hostOf(state).cage.find(name);
     if (found.kind == Resolved::Kind::kOutside) throw SceneError("dofile: " + outsideMessage(name));
     if (found.kind == Resolved::Kind::kMissing) {
-        throw SceneError("dofile: cannot open '" + name + "': no such file in the scene's folder");
+        throw SceneError("dofile: cannot open " + quoted(name) +
+                         ": no such file in the scene's folder");
     }
     pushFileChunk(state, found.path, name);
     return 1;
@@ -164,7 +165,9 @@ int loadFile(lua_State* state) {
         throw SceneError("loadfile: " + outsideMessage(name));
     }
     try {
-        if (found.kind == Resolved::Kind::kMissing) throw SceneError("cannot open " + name);
+        if (found.kind == Resolved::Kind::kMissing) {
+            throw SceneError("cannot open " + quoted(name));
+        }
         pushFileChunk(state, found.path, name);
     } catch (const SceneError& error) {
         lua_settop(state, 3);

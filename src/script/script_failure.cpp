@@ -5,12 +5,22 @@
 
 #include "rt/core/diagnostics.h"
 
+#include <algorithm>
 #include <string_view>
+#include <utility>
 
 namespace rt {
 namespace {
 
 constexpr std::string_view kNoMemory = "not enough memory";
+
+/// The part of an error text that can matter to a message, which is much shorter.
+std::string startOfText(lua_State* state, int index) {
+    constexpr std::size_t kMost = std::size_t{64} << 10;
+    std::size_t length = 0;
+    const char* text = lua_tolstring(state, index, &length);
+    return std::string(text, std::min(length, kMost));
+}
 
 /// A chunk name as Lua shows it in messages: at most LUA_IDSIZE - 1 bytes, cut at the front.
 std::string shownName(const std::string& chunk) {
@@ -102,7 +112,8 @@ std::string located(lua_State* state, const std::string& text) {
 
 std::string describeError(lua_State* state, int index) {
     const int type = lua_type(state, index);
-    if (auto text = toText(state, index)) return *text;
+    if (type == LUA_TSTRING) return startOfText(state, index);
+    if (auto number = toText(state, index)) return *number;
     ensureStack(state, 3);
     const StackGuard guard(state);
     lua_pushvalue(state, index);
@@ -115,7 +126,9 @@ std::string describeError(lua_State* state, int index) {
         memory.suspend(false);
         const int status = lua_pcall(state, 1, 1, 0);
         memory.suspend(suspended);
-        if (status == LUA_OK && lua_type(state, -1) == LUA_TSTRING) return *toText(state, -1);
+        if (status == LUA_OK && lua_type(state, -1) == LUA_TSTRING) {
+            return startOfText(state, -1);
+        }
     }
     return std::string("error object is a ") + lua_typename(state, type) + " value";
 }

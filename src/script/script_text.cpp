@@ -4,6 +4,8 @@
 #include "script_failure.h"
 #include "script_host.h"
 
+#include "rt/core/diagnostics.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
@@ -38,6 +40,11 @@ std::string resolvedPath(const std::string& path) {
     const std::string result = resolved;
     std::free(resolved);
     return result;
+}
+
+std::string quoted(const std::string& name) {
+    constexpr std::size_t kMost = 256;
+    return "'" + printable(name, kMost) + "'";
 }
 
 void loadChunk(lua_State* state, const std::string& text, const std::string& name) {

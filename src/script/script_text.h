@@ -14,6 +14,9 @@ std::string readStdin(std::size_t most);
 /// The path without links and dots, or as given if there is none.
 std::string resolvedPath(const std::string& path);
 
+/// A name that a script gave, for messages: 'name', printable and not too long.
+std::string quoted(const std::string& name);
+
 /// Loads text as a chunk, in a callback, and leaves the function on the stack. Binary chunks are
 /// refused; a byte order mark and a first line with '#' are skipped. `name` is the file as
 /// messages show it.
