@@ -59,11 +59,11 @@ void addText(LodePNGInfo& info, const ImageMetadata& metadata) {
 
 /// Two bytes for each channel, the higher first, as PNG wants them.
 std::vector<std::uint8_t> bigEndian(const std::vector<std::uint16_t>& values) {
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(values.size() * 2);
+    std::vector<std::uint8_t> bytes(values.size() * 2);
+    std::uint8_t* next = bytes.data();
     for (const std::uint16_t value : values) {
-        bytes.push_back(static_cast<std::uint8_t>(value >> 8));
-        bytes.push_back(static_cast<std::uint8_t>(value & 0xff));
+        *next++ = static_cast<std::uint8_t>(value >> 8);
+        *next++ = static_cast<std::uint8_t>(value & 0xff);
     }
     return bytes;
 }

@@ -313,7 +313,6 @@ TEST_CASE("Numbers have a decimal point in every locale") {
     for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"}) {
         if (!locale) locale = std::setlocale(LC_ALL, name);
     }
-    if (!locale) MESSAGE("no locale with a decimal comma is installed");
     CHECK(parseOptions({"--error", "0.25"}).render.error == 0.25);
     CHECK(refusal(Words{"--error", "0,25"}).code == 2);
     std::setlocale(LC_ALL, "C");

@@ -97,7 +97,7 @@ TEST_CASE("The file is the text, and a file that cannot be written is an output 
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     CHECK(text == statsJson({sample()}));
     std::filesystem::remove_all(std::filesystem::path(path).parent_path());
-    CHECK_THROWS_AS(writeStats("/dev/full", {sample()}), OutputError);
+    CHECK_THROWS_AS(writeStats("/proc/s.json", {sample()}), OutputError);
 }
 
 TEST_CASE("Memory and processor time are those of this process") {
