@@ -1,3 +1,4 @@
+#include "build_presplit.h"
 #include "build_wide_tree.h"
 #include "rt/accel/mesh_tree.h"
 #include "rt/core/parallel.h"
@@ -45,8 +46,12 @@ class BlockFiller {
   public:
     explicit BlockFiller(TriangleBlock& block) : block_(block) { block_ = {}; }
 
-    /// False where the triangle does not fit; the block is then unchanged.
+    /// False where the triangle does not fit; the block is then unchanged. Pieces of a triangle
+    /// that the block holds already need no room.
     bool add(const TriangleMesh& mesh, Index triangle) {
+        if (std::find(block_.id, block_.id + block_.count, triangle) != block_.id + block_.count) {
+            return true;
+        }
         if (block_.count == TriangleBlock::kSize) return false;
         int places[3];
         const int before = corners_;
@@ -99,16 +104,10 @@ class MeshTreeBuilder {
     MeshTree build() {
         const Bounds bounds = boundsOf(mesh_, threads_);
         const TreeFrame frame = frameFor(bounds);
-        const std::size_t count = mesh_.triangles.size();
-        LargeArray<BoxRef> refs(count);
-        forEachChunk(count, threads_, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                refs[i].box = boxInFrame(frame, boundsOf(mesh_, i));
-                refs[i].setItem(static_cast<Index>(i));
-            }
-        });
+        RefArray refs = triangleRefs(mesh_, frame, threads_);
+        const std::size_t count = refs.count;
         const BuildCosts costs{1.0f, 1.0f, kLeafTriangles};
-        WideTreeBuilder builder(std::move(refs), count, {costs, kLeafTriangles, threads_});
+        WideTreeBuilder builder(std::move(refs.refs), count, {costs, kLeafTriangles, threads_});
         MeshTree result;
         result.tree_ = builder.build(frame, bounds);
         result.blocks_ = makeBlocks(result.tree_);

@@ -17,15 +17,16 @@ void visitBlocks(const WideTree& tree, const LargeArray<TriangleBlock>& blocks, 
     BoxRay boxRay;
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return;
     LeafWalk walk(tree, boxRay, blocks.data(), sizeof(TriangleBlock));
-    walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
-             [&](ChildRef leaf, float& tauMax) __attribute__((always_inline)) {
-                 const double before = range.max;
-                 for (std::uint32_t k = 0; k < leaf.count(); ++k) {
-                     if (visit(blocks[leaf.first() + k])) return true;
-                 }
-                 if (range.max < before) tauMax = boxRay.tauAbove(range.max);
-                 return false;
-             });
+    walk.run(
+        boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
+        [&](ChildRef leaf, float& tauMax) __attribute__((always_inline)) {
+            const double before = range.max;
+            for (std::uint32_t k = 0; k < leaf.count(); ++k) {
+                if (visit(blocks[leaf.first() + k])) return true;
+            }
+            if (range.max < before) tauMax = boxRay.tauAbove(range.max);
+            return false;
+        });
 }
 
 }  // namespace
