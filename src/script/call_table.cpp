@@ -99,13 +99,6 @@ const std::vector<FieldRow>& fieldTable() {
     return table;
 }
 
-const CallRow* findCall(const std::string& name) {
-    const auto& table = callTable();
-    const auto row = std::find_if(table.begin(), table.end(),
-                                  [&](const CallRow& candidate) { return candidate.name == name; });
-    return row != table.end() ? &*row : nullptr;
-}
-
 std::vector<std::string> callNames() {
     std::vector<std::string> names;
     for (const CallRow& row : callTable()) names.push_back(row.name);

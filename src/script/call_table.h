@@ -102,7 +102,6 @@ struct FieldRow {
 
 const std::vector<CallRow>& callTable();
 const std::vector<FieldRow>& fieldTable();
-const CallRow* findCall(const std::string& name);
 std::vector<std::string> callNames();
 
 /// "gr.nh_sphere(name, centre, radius)", "node:translate(dx, dy, dz)".
