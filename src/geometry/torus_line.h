@@ -120,22 +120,22 @@ class Sheet {
         return -std::fma(f.x, d.x, f.y * d.y) / line_.axialSquared;
     }
 
-    /// The first root after `low` where that is all but certain at a glance, else a NaN: the line
-    /// comes from outside, and f is convex all the way to the root, before `limit`.
-    double entryAfter(const Sample& low, double limit) const {
+    /// The first root after `low`, which is outside, where a glance finds it for certain; else a
+    /// NaN. On one side of the axis f is convex outwards of concave: where it falls at `low` and
+    /// falls through a root in the convex part of the same side, there is no other root between
+    /// them.
+    double entryAfter(const Sample& low) const {
         // The parabola that touches f at `low`.
         const double half = low.slope * low.rho;
         const double discriminant = std::fma(half, half, -low.value * low.bend * low.rho);
-        if (!(half < 0.0 && low.bend > 0.0 && discriminant > 0.0)) return kNoRoot;
+        if (!(half < 0.0 && discriminant > 0.0)) return kNoRoot;
         double s = low.s + low.value * (low.rho * low.rho) / (std::sqrt(discriminant) - half);
         for (int i = 0; i < kTorusGlances; ++i) {
             const Sample at = sample(s);
-            const Step next = step(at);
-            // rho^3 falls, then rises: on one side of the axis f is convex between convex ends.
             const bool sameSide = (low.away < 0.0) == (at.away < 0.0);
             if (!(at.slope < 0.0 && at.bend > 0.0 && sameSide)) return kNoRoot;
+            const Step next = step(at);
             s = s + next.move;
-            if (!(low.s <= s && s <= limit)) return kNoRoot;
             if (next.isLast) return s;
         }
         return kNoRoot;

@@ -33,7 +33,7 @@ class Search {
     bool between(double from, double to) {
         const Sample low = window_.startsAfter(from) ? start() : sheet_.sample(from);
         if (low.isOutside()) {
-            root_ = sheet_.entryAfter(low, to);
+            root_ = sheet_.entryAfter(low);
             if (!window_.startsAfter(root_)) return window_.contains(root_);
         }
         return onSheet(low, sheet_.sample(to));
@@ -83,9 +83,8 @@ class Search {
             return accept(sheet_.rootBetween(low, high, parabolaRoot(low, high)));
         }
         if (low.isOutside() != (sign > 0.0)) return false;
-        const double guess = sign > 0.0 ? secantMinimum(low, high) : sheet_.nearestToAxis();
         Sample dip;
-        if (!sheet_.findDip(low, high, sign, guess, dip)) return false;
+        if (!sheet_.findDip(low, high, sign, secantMinimum(low, high), dip)) return false;
         // The parabola that touches f at the dip.
         const double half = dip.slope * dip.rho;
         const double square = std::fma(half, half, -dip.value * dip.bend * dip.rho);

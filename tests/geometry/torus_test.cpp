@@ -46,6 +46,25 @@ TEST_CASE("a ray in the equator of a ring crosses it four times") {
               {8.75, 9.25, 10.75, 11.25});
 }
 
+TEST_CASE("rays in the equator through the axis meet rings of any radii") {
+    Random random(31);
+    for (int i = 0; i < 2000; ++i) {
+        INFO("case " << i);
+        const double major = random.uniform(0.3, 3.0);
+        const double minor = major * random.uniform(0.05, 0.95);
+        const double angle = random.uniform(0.0, kTurn);
+        const Vec3 towards(std::cos(angle), std::sin(angle), 0.0);
+        const double away = random.uniform(4.0, 20.0) * major;
+        const std::vector<double> t =
+            parameters(crossings(Torus(Vec3(0.0), major, minor), {-away * towards, towards}));
+        const double expected[] = {-major - minor, minor - major, major - minor, major + minor};
+        REQUIRE(t.size() == 4);
+        for (std::size_t k = 0; k < 4; ++k) {
+            CHECK(std::fabs(t[k] - away - expected[k]) <= 8.0 * kUnitRoundoff * away);
+        }
+    }
+}
+
 TEST_CASE("a ray along the axis or through the hole misses a ring") {
     const Torus torus(Vec3(0.0), 2.0, 0.5);
     PrimitiveHit hit;
@@ -109,6 +128,7 @@ TEST_CASE("a spindle torus is met on its axis at the tips of the lemon") {
     CHECK(hit.t == doctest::Approx(9.0 - std::sqrt(3.0)));
     REQUIRE(torus.intersect({{0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}}, {}, hit));
     CHECK(hit.t == doctest::Approx(std::sqrt(3.0)));
+    CHECK(glm::length(torus.surface(hit).normal) == doctest::Approx(1.0));
 }
 
 TEST_CASE("a horn torus closes in its centre") {
@@ -140,6 +160,24 @@ TEST_CASE("texture coordinates and their derivatives follow the two angles") {
     CHECK(below.uv.y == doctest::Approx(0.75));
 }
 
+TEST_CASE("just below a whole turn the texture coordinates start again") {
+    const Torus torus(Vec3(0.0), 2.0, 0.5);
+    PrimitiveHit hit;
+    hit.local = Vec3(2.5, -1e-300, -1e-300);
+    CHECK(torus.surface(hit).uv.x == 0.0);
+    CHECK(torus.surface(hit).uv.y == 0.0);
+}
+
+TEST_CASE("the error bound of a point that is off the surface says so") {
+    const Torus torus(Vec3(0.0), 2.0, 0.5);
+    for (const double off : {1e-9, -1e-9, 1e-3}) {
+        PrimitiveHit hit;
+        hit.local = Vec3(0.0, 2.0, 0.5 + off);
+        CHECK(torus.surface(hit).error >= std::fabs(off));
+        CHECK(torus.surface(hit).error <= std::fabs(off) + 1e-14);
+    }
+}
+
 TEST_CASE("the bounds are the outer equator and the two planes that the tube lies between") {
     const Bounds box = Torus(Vec3(1.0, 2.0, 3.0), 2.0, 0.5).bounds();
     checkNear(box.min, {-1.5, -0.5, 2.5}, 1e-14);
@@ -154,6 +192,14 @@ TEST_CASE("radii that are not positive and finite are refused with their values"
     }
     CHECK_THROWS_WITH(Torus(Vec3(0.0), 2.0, -1.0),
                       "torus: the radii must be positive and finite, got major 2, minor -1");
+}
+
+TEST_CASE("a crossing whose parameter would be infinite is none") {
+    const Torus torus(Vec3(0.0), 2.0, 0.5);
+    PrimitiveHit hit;
+    CHECK_FALSE(torus.intersect({{-1e10, 0.0, 0.0}, {1e-300, 0.0, 0.0}}, {}, hit));
+    REQUIRE(torus.intersect({{-9.0, 0.0, 0.0}, {1e-300, 0.0, 0.0}}, {}, hit));
+    CHECK(hit.t == doctest::Approx(6.5e300));
 }
 
 TEST_CASE("rays that are no rays hit nothing") {
