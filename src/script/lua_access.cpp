@@ -100,8 +100,10 @@ std::string displayText(lua_State* state, int index) {
 
 void pushText(lua_State* state, std::string_view text) {
     ensureStack(state, 1);
-    const MemoryBudget& memory = hostOf(state).memory;
-    if (!memory.hasRoomFor(text.size())) lua_gc(state, LUA_GCCOLLECT, 0);
+    const ScriptHost& host = hostOf(state);
+    const MemoryBudget& memory = host.memory;
+    // A finaliser of a script might raise.
+    if (!memory.hasRoomFor(text.size()) && !host.mayFinalise) lua_gc(state, LUA_GCCOLLECT, 0);
     if (!memory.hasRoomFor(text.size())) throw LimitError(memory.message());
     lua_pushlstring(state, text.data(), text.size());
 }

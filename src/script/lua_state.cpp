@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <new>
 
 namespace rt {
 namespace {
@@ -27,7 +28,11 @@ void onCount(lua_State* state, lua_Debug*) {
     if (!time.expired) {
         if (std::chrono::steady_clock::now() < time.deadline) return;
         time.expired = true;
-        time.where = callerLocation(state);
+        try {
+            time.where = callerLocation(state);
+        } catch (const std::bad_alloc&) {
+            time.where.line = 0;
+        }
     }
     lua_sethook(state, onCount, LUA_MASKCOUNT, 1);
     lua_pushstring(state, time.message.c_str());
@@ -101,6 +106,11 @@ class PipeSignalBlock {
     bool wasPending_ = false;
 };
 
+/// An error outside of every protected call is a fault of this program.
+int panic(lua_State*) {
+    endProcess(ExitCode::kInternal, "error: internal error: unprotected error in Lua\n");
+}
+
 int runBody(lua_State* state) {
     const auto* body =
         static_cast<const std::function<void(lua_State*)>*>(lua_touserdata(state, 1));
@@ -128,6 +138,7 @@ LuaState::LuaState(const LuaLimits& limits) : host_(std::make_unique<ScriptHost>
     if (host_->state == nullptr) throw LimitError(host_->memory.message());
     *static_cast<ScriptHost**>(lua_getextraspace(host_->state)) = host_.get();
     host_->memory.watch(host_->state);
+    lua_atpanic(host_->state, panic);
     try {
         lua_pushcfunction(host_->state, guarded<measureUserdata>);
         callFromOutside(host_->state, 0, 0);
@@ -139,6 +150,8 @@ LuaState::LuaState(const LuaLimits& limits) : host_(std::make_unique<ScriptHost>
 }
 
 LuaState::~LuaState() {
+    // Letting go of much memory takes time that is not the script's; its finalisers are.
+    if (!host_->mayFinalise) host_->watchdog.reset();
     host_->memory.watch(nullptr);
     lua_close(host_->state);
 }

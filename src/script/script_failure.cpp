@@ -36,6 +36,7 @@ bool startsWithLine(std::string_view text, std::string_view name) {
 
 /// The stack as text; level 0 is the handler.
 std::string tracebackOf(lua_State* state) {
+    if (lua_checkstack(state, LUA_MINSTACK) == 0) return "";
     const StackGuard guard(state);
     luaL_traceback(state, state, nullptr, 1);
     return toText(state, -1).value_or("");
@@ -106,8 +107,11 @@ std::string located(lua_State* state, const std::string& text) {
         const std::string shown = shownName(chunk);
         if (startsWithLine(text, shown)) return chunk + text.substr(shown.size());
     }
-    if (text.starts_with("[string \"")) return text;
-    return callerLocation(state).prefix() + text;
+    const SourceLocation caller = callerLocation(state);
+    // Chunks that a script names itself.
+    const bool isHere = !caller.file.empty() && startsWithLine(text, caller.file);
+    if (isHere || text.starts_with("[string \"")) return text;
+    return caller.prefix() + text;
 }
 
 std::string describeError(lua_State* state, int index) {

@@ -49,15 +49,16 @@ std::string quoted(const std::string& name) {
 
 void loadChunk(lua_State* state, const std::string& text, const std::string& name) {
     const std::string_view code = chunkText(text);
-    if (code.starts_with(LUA_SIGNATURE[0])) {
-        throw SceneError("binary chunks are refused", {name, 0});
-    }
     ScriptHost& host = hostOf(state);
+    if (code.starts_with(LUA_SIGNATURE[0]) && !host.cage.trust()) {
+        throw SceneError("binary chunks are refused (see --trust)", {name, 0});
+    }
     noteChunk(host, name);
     const std::string chunkName = "@" + name;
     const bool suspended = host.memory.isSuspended();
     host.memory.suspend(false);
-    const int status = luaL_loadbufferx(state, code.data(), code.size(), chunkName.c_str(), "t");
+    const int status = luaL_loadbufferx(state, code.data(), code.size(), chunkName.c_str(),
+                                        host.cage.trust() ? "bt" : "t");
     host.memory.suspend(suspended);
     if (status == LUA_OK) return;
     const std::string message = describeError(state, -1);

@@ -18,8 +18,8 @@ std::string resolvedPath(const std::string& path);
 std::string quoted(const std::string& name);
 
 /// Loads text as a chunk, in a callback, and leaves the function on the stack. Binary chunks are
-/// refused; a byte order mark and a first line with '#' are skipped. `name` is the file as
-/// messages show it.
+/// refused without trust; a byte order mark and a first line with '#' are skipped. `name` is the
+/// file as messages show it.
 void loadChunk(lua_State* state, const std::string& text, const std::string& name);
 
 }  // namespace rt

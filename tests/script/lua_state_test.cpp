@@ -155,6 +155,8 @@ TEST_CASE("Errors at run time carry file and line, whatever the error value is")
         {"string.rep('x', 1 << 62, 'y')", "resulting string too large"},
         {"assert(false)", "scene.lua:1: assertion failed!"},
         {"load('x = = 1')() ", "attempt to call a nil value"},
+        {"load('\\n\\nerror(\"x\")', '@scene.lua')()", "scene.lua:3: x"},
+        {"load('error(\"x\")', '=scene.lua:made')()", "scene.lua:made:1: x"},
         {"error(load('error(1, 1)', '=other'))", "scene.lua:1: error object is a function value"},
     };
     for (const auto& row : rows) {

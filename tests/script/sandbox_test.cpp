@@ -380,6 +380,11 @@ TEST_CASE("With trust everything of Lua is there, in fixed orders all the same")
         {"tell(os.execute('exit 3'))", "nil exit 3\n"},
         {"tell(debug.getinfo(1, 'l').currentline, type(debug.getregistry()))", "1 table\n"},
         {"tell(load(string.dump(function() return 5 end))())", "5\n"},
+        {"local f = io.open('" + folder.file("code.lua") +
+             "', 'wb') f:write(string.dump(function() return 6 end)) "
+             "f:close() tell(dofile('code.lua')) os.remove('" +
+             folder.file("code.lua") + "')",
+         "6\n"},
         {"tell(require 'module'.name, require '../secret')", "module secret\n"},
         {"tell(dofile('" + folder.file("../secret.lua") + "'))", "secret\n"},
         {"tell((pcall(require, 'none')))", "false\n"},
