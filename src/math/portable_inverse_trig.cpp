@@ -95,7 +95,6 @@ RT_KERNEL double placed(double x, double y, bool left, DoubleDouble angle) {
     if (std::isinf(x) && std::isinf(y)) x = y = 1.0;
     const double large = std::fmax(x, y);
     const double small = std::fmin(x, y);
-    if (large == 0.0) return left ? kPiHi : 0.0;
     if (std::isinf(large) || small == 0.0) return placed(x, y, left, {0.0, 0.0});
     // Both onto the scale of 1: exact, since small is normal after any scaling down.
     const int exponent = static_cast<int>(bitsOf(large) >> 52) - 1023;

@@ -102,6 +102,10 @@ TEST_CASE("permutations are permutations for every count, and all places are equ
         REQUIRE(seen.size() == count);
         REQUIRE(*seen.rbegin() == count - 1);
     }
+    // A count of more than 16 bits: every number of the range is taken once.
+    std::vector<bool> taken(100000, false);
+    for (std::uint32_t i = 0; i < 100000; ++i) taken[permuted(i, 100000, kSeed)] = true;
+    CHECK(std::find(taken.begin(), taken.end(), false) == taken.end());
     constexpr int kKeys = 40000;
     for (const std::uint32_t count : {5u, 8u, 16u, 23u}) {
         std::vector<int> place(count * count, 0);
@@ -202,6 +206,23 @@ TEST_CASE("pixels, seeds, streams, nodes and lights are scrambled independently"
                 CHECK(std::fabs(correlation(columns[a], columns[b])) <
                       4.5 / std::sqrt(1.0 * kPixels));
             }
+        }
+    }
+}
+
+TEST_CASE("random samples of a pixel are independent of each other") {
+    constexpr int kPixels = 20000;
+    std::vector<std::vector<double>> columns(4);
+    Sampler sampler = samplerOf(SamplerKind::kRandom, 16);
+    for (int i = 0; i < kPixels; ++i) {
+        for (int index = 0; index < 4; ++index) {
+            columns[static_cast<std::size_t>(index)].push_back(
+                numbersOf(sampler, i % 200, i / 200, index)[2]);
+        }
+    }
+    for (std::size_t a = 0; a < 4; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            CHECK(std::fabs(correlation(columns[a], columns[b])) < 4.5 / std::sqrt(1.0 * kPixels));
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "rt/sampling/random.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -148,6 +149,37 @@ TEST_CASE("the first Sobol points are those that Joe and Kuo's program prints") 
     }
 }
 
+TEST_CASE("direction numbers follow from the published rows by the published recurrence") {
+    // m_1 .. m_10 of dimensions 2 to 6, worked out apart from this program from Joe and Kuo's
+    // m_k = 2 a_1 m_(k-1) ^ ... ^ 2^s m_(k-s) ^ m_(k-s); the direction number is m_k / 2^k.
+    constexpr std::uint32_t kM[][10] = {{1, 3, 5, 15, 17, 51, 85, 255, 257, 771},
+                                        {1, 3, 3, 9, 29, 23, 71, 197, 209, 627},
+                                        {1, 3, 1, 5, 31, 29, 81, 147, 433, 149},
+                                        {1, 1, 1, 11, 31, 55, 61, 157, 181, 191},
+                                        {1, 1, 3, 3, 25, 9, 43, 251, 449, 449}};
+    for (int d = 1; d < kSobolDimensions; ++d) {
+        for (unsigned k = 0; k < 10; ++k) {
+            CAPTURE(d);
+            CAPTURE(k);
+            CHECK(sobol::directions(d)[k] == kM[d - 1][k] << (31 - k));
+        }
+    }
+}
+
+TEST_CASE("a pair is its two coordinates, each scrambled with its half of the key") {
+    const std::uint64_t key = subKey(kSeed, 9);
+    for (const SobolPair pair : {SobolPair::kPixel, SobolPair::kLens, SobolPair::kLight}) {
+        const auto first = static_cast<std::size_t>(pair);
+        for (const std::uint32_t index : {0u, 1u, 100u, 255u, 256u, 70000u, 0xffffffffu}) {
+            const UnitPoint p = sobolPair(index, pair, key);
+            const auto low = static_cast<std::uint32_t>(key);
+            const auto high = static_cast<std::uint32_t>(key >> 32);
+            CHECK(p.x * 0x1p32 == owenScrambled(coordinate(index, first), low) + 0.5);
+            CHECK(p.y * 0x1p32 == owenScrambled(coordinate(index, first + 1), high) + 0.5);
+        }
+    }
+}
+
 TEST_CASE("the byte tables give what the direction numbers give, for indices of every size") {
     for (int d = 0; d < kSobolDimensions; ++d) {
         const auto v = sobol::directions(d);
@@ -226,7 +258,7 @@ TEST_CASE("scrambling maps elementary intervals onto elementary intervals") {
         // The highest bit in which two numbers differ stays the highest, so it is a bijection too.
         CAPTURE(a);
         CAPTURE(b);
-        REQUIRE(__builtin_clzll(before) == __builtin_clzll(after));
+        REQUIRE(std::countl_zero(before) == std::countl_zero(after));
     }
 }
 
@@ -241,6 +273,27 @@ TEST_CASE("nodes of the scrambling tree flip fairly and independently") {
     CHECK(own.worstMean < 5.0);
     CHECK(own.worstCorrelation < 5.0);
     CHECK(old.worstCorrelation > 20.0);
+}
+
+TEST_CASE("a flip depends on every single bit above it, deep in the tree as well") {
+    constexpr int kKeys = 40000;
+    double worst = 0.0;
+    for (unsigned depth = 1; depth < 32; ++depth) {
+        for (unsigned bit = 0; bit < depth; ++bit) {
+            const auto prefix =
+                static_cast<std::uint32_t>(subKey(kSeed, 32 * depth + bit) >> (64 - depth));
+            int equal = 0;
+            for (int k = 0; k < kKeys; ++k) {
+                const auto key =
+                    static_cast<std::uint32_t>(subKey(kSeed + 1, static_cast<std::uint64_t>(k)));
+                equal += flipAt(owenScrambled, depth, prefix, key) ==
+                         flipAt(owenScrambled, depth, prefix ^ 1u << bit, key);
+            }
+            worst = std::fmax(worst, std::fabs(equal - 0.5 * kKeys) / (0.5 * std::sqrt(kKeys)));
+        }
+    }
+    MESSAGE("equal flips off by " << worst << " sigma at most");
+    CHECK(worst < 5.0);
 }
 
 TEST_CASE("every scrambled point is uniform over the keys") {
