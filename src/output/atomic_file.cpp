@@ -63,13 +63,12 @@ Destination findDestination(const std::string& path) {
     }
     Destination destination;
     destination.path = path;
-    for (int links = 0;; ++links) {
+    for (int links = 0; links < kMostLinks; ++links) {
         if (const auto number = openDescriptor(destination.path)) {
             return {Destination::Kind::kDescriptor, path, *number, std::nullopt};
         }
         const auto target = linkTarget(destination.path);
         if (!target) break;
-        if (links == kMostLinks) failToWrite(path, ELOOP);
         destination.path = *target;
     }
     struct stat status {};
