@@ -15,6 +15,7 @@
 namespace rt {
 
 using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
 
 inline Float4 min4(Float4 a, Float4 b) {
 #if defined(__SSE2__)
@@ -30,6 +31,11 @@ inline Float4 max4(Float4 a, Float4 b) {
 #else
     return a > b ? a : b;
 #endif
+}
+
+/// Cut off towards zero.
+inline Int4 toInts(Float4 a) {
+    return __builtin_convertvector(a, Int4);
 }
 
 /// A box, or the box of nothing; the fourth components are of no account.
@@ -63,11 +69,9 @@ struct BoxRef {
 
     /// Twice the centre; the fourth component is 0, so that no item's bits are computed with.
     Float4 centre() const {
-        Float4 sum = box.lo;
-        sum[3] = 0.0f;
-        Float4 hi = box.hi;
-        hi[3] = 0.0f;
-        return sum + hi;
+        const Int4 three = {-1, -1, -1, 0};
+        const auto kept = [&](Float4 a) { return (Float4)((Int4)a & three); };
+        return kept(box.lo) + kept(box.hi);
     }
 };
 static_assert(sizeof(BoxRef) == 32);

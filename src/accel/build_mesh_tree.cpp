@@ -115,61 +115,71 @@ class MeshTreeBuilder {
     }
 
   private:
+    /// Counts the blocks, then fills them in place.
     LargeArray<TriangleBlock> makeBlocks(WideTree& tree) {
         LargeArray<WideNode>& nodes = WideTreeBuilder::nodesOf(tree);
         const LargeArray<Index>& items = WideTreeBuilder::itemsOf(tree);
-        const std::size_t chunks = (nodes.size() + kChunk - 1) / kChunk;
-        std::vector<std::vector<TriangleBlock>> parts(chunks);
+        std::vector<std::size_t> first((nodes.size() + kChunk - 1) / kChunk + 1, 0);
         forEachChunk(nodes.size(), threads_, [&](std::size_t begin, std::size_t end) {
+            std::size_t blocks = 0;
             for (std::size_t i = begin; i < end; ++i) {
-                fillLeaves(nodes[i], items, parts[begin / kChunk]);
+                forEachLeaf(nodes[i], [&](std::uint32_t, ChildRef leaf) {
+                    blocks += blocksOf(items.data() + leaf.first(), leaf.count());
+                });
             }
+            first[begin / kChunk + 1] = blocks;
         });
-        std::vector<std::size_t> first(chunks + 1, 0);
-        for (std::size_t i = 0; i < chunks; ++i) first[i + 1] = first[i] + parts[i].size();
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
         LargeArray<TriangleBlock> blocks(first.back());
         forEachChunk(nodes.size(), threads_, [&](std::size_t begin, std::size_t end) {
-            const std::size_t chunk = begin / kChunk;
-            std::copy(parts[chunk].begin(), parts[chunk].end(), blocks.data() + first[chunk]);
-            parts[chunk] = {};
-            for (std::size_t i = begin; i < end; ++i) moveLeaves(nodes[i], first[chunk]);
+            TriangleBlock* next = blocks.data() + first[begin / kChunk];
+            for (std::size_t i = begin; i < end; ++i) {
+                forEachLeaf(nodes[i], [&](std::uint32_t& child, ChildRef leaf) {
+                    TriangleBlock* const start = next;
+                    next = fillBlocks(items.data() + leaf.first(), leaf.count(), next);
+                    child = ChildRef::leaf(static_cast<std::uint32_t>(start - blocks.data()),
+                                           static_cast<std::uint32_t>(next - start))
+                                .bits();
+                });
+            }
         });
         WideTreeBuilder::itemsOf(tree) = {};
         return blocks;
     }
 
-    static bool isLeaf(const WideNode& node, int lane) {
-        return ChildRef::fromBits(node.child[lane]).isLeaf() &&
-               node.plane[0][lane] <= node.plane[1][lane];
+    template <class Visit>
+    static void forEachLeaf(WideNode& node, Visit&& visit) {
+        for (int lane = 0; lane < kTreeWidth; ++lane) {
+            const ChildRef child = ChildRef::fromBits(node.child[lane]);
+            const bool isUsed = node.plane[0][lane] <= node.plane[1][lane];
+            if (isUsed && child.isLeaf()) visit(node.child[lane], child);
+        }
     }
 
-    /// Replaces runs of items by runs of blocks, numbered within `blocks`.
-    void fillLeaves(WideNode& node, const LargeArray<Index>& items,
-                    std::vector<TriangleBlock>& blocks) const {
-        for (int lane = 0; lane < kTreeWidth; ++lane) {
-            if (!isLeaf(node, lane)) continue;
-            const ChildRef leaf = ChildRef::fromBits(node.child[lane]);
-            const std::size_t first = blocks.size();
-            for (std::uint32_t next = 0; next < leaf.count();) {
-                TriangleBlock block;
-                BlockFiller filler(block);
-                while (next < leaf.count() && filler.add(mesh_, items[leaf.first() + next])) ++next;
-                filler.finish();
-                blocks.push_back(block);
+    /// Few corners are certain to fit one block; otherwise, filling tells.
+    std::size_t blocksOf(const Index* items, std::uint32_t count) const {
+        Index corners[TriangleBlock::kSize];
+        std::size_t found = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (const Index corner : mesh_.triangles[items[i]]) {
+                if (std::find(corners, corners + found, corner) != corners + found) continue;
+                if (found == TriangleBlock::kSize) {
+                    TriangleBlock blocks[ChildRef::kMaxCount];
+                    return static_cast<std::size_t>(fillBlocks(items, count, blocks) - blocks);
+                }
+                corners[found++] = corner;
             }
-            node.child[lane] = ChildRef::leaf(static_cast<std::uint32_t>(first),
-                                              static_cast<std::uint32_t>(blocks.size() - first))
-                                   .bits();
         }
+        return 1;
     }
 
-    static void moveLeaves(WideNode& node, std::size_t by) {
-        for (int lane = 0; lane < kTreeWidth; ++lane) {
-            if (!isLeaf(node, lane)) continue;
-            const ChildRef leaf = ChildRef::fromBits(node.child[lane]);
-            node.child[lane] =
-                ChildRef::leaf(leaf.first() + static_cast<std::uint32_t>(by), leaf.count()).bits();
+    TriangleBlock* fillBlocks(const Index* items, std::uint32_t count, TriangleBlock* to) const {
+        for (std::uint32_t next = 0; next < count; ++to) {
+            BlockFiller filler(*to);
+            while (next < count && filler.add(mesh_, items[next])) ++next;
+            filler.finish();
         }
+        return to;
     }
 
     const TriangleMesh& mesh_;

@@ -168,19 +168,21 @@ void splitPiece(const Piece& piece, std::uint32_t pieces, const Emit& emit) {
     splitPiece(piece.clipped(axis, plane, 1.0), pieces - left, emit);
 }
 
+BoxRef refTo(std::size_t triangle, const Bounds& boxInFrameAlready) {
+    BoxRef ref;
+    ref.box = boxInFrame(TreeFrame{}, boxInFrameAlready);
+    ref.setItem(static_cast<Index>(triangle));
+    return ref;
+}
+
 }  // namespace
 
 RefArray triangleRefs(const TriangleMesh& mesh, const TreeFrame& frame, int threads) {
     const std::size_t count = mesh.triangles.size();
     const double perWeight = piecesPerWeight(measure(mesh, frame, threads), count);
-    const TreeFrame unit;
     const auto writePieces = [&](std::size_t i, std::uint32_t pieces, auto&& put) {
-        splitPiece(Piece(cornersInFrame(mesh, frame, i)), pieces, [&](const Bounds& box) {
-            BoxRef ref;
-            ref.box = boxInFrame(unit, box);
-            ref.setItem(static_cast<Index>(i));
-            put(ref);
-        });
+        splitPiece(Piece(cornersInFrame(mesh, frame, i)), pieces,
+                   [&](const Bounds& box) { put(refTo(i, box)); });
     };
     std::vector<std::vector<BoxRef>> parts((count + kChunk - 1) / kChunk);
     std::vector<std::size_t> first(parts.size() + 1, 0);
@@ -206,7 +208,9 @@ RefArray triangleRefs(const TriangleMesh& mesh, const TreeFrame& frame, int thre
             return;
         }
         for (std::size_t i = begin; i < end; ++i) {
-            writePieces(i, 1, [&](const BoxRef& ref) { *to++ = ref; });
+            const Corners t = cornersInFrame(mesh, frame, i);
+            *to++ =
+                refTo(i, {glm::min(glm::min(t.a, t.b), t.c), glm::max(glm::max(t.a, t.b), t.c)});
         }
     });
     return result;

@@ -26,7 +26,6 @@ struct RefRange {
     std::size_t end = 0;
     Box4 box;
     Box4 centres;
-    bool inSpare = false;  ///< lies in the second of the builder's two buffers
 
     std::size_t size() const { return end - begin; }
     void add(const BoxRef& ref) {
@@ -54,27 +53,24 @@ class BinMap {
   public:
     BinMap(const Box4& centres, int bins);
 
-    int bin(Float4 centre, int axis) const {
-        const int at = static_cast<int>((centre[axis] - base_[axis]) * perUnit_[axis]);
-        return at < last_ ? at : last_;
-    }
+    /// The bins on the three axes.
+    Int4 bins(Float4 centre) const { return toInts(min4((centre - base_) * perUnit_, last_)); }
     bool splits(int axis) const { return perUnit_[axis] > 0.0f; }
 
   private:
     Float4 base_;
     Float4 perUnit_;  ///< 0 on an axis on which all centres are alike
-    int last_;
+    Float4 last_;
 };
 
 /// The best split of `range`, whose refs start at `refs`; none where all centres coincide.
 Split findSplit(const BoxRef* refs, const RefRange& range, const BuildCosts& costs, int threads);
 
-/// The two halves of `range`, after reordering its refs; `spare` is the other buffer, which long
-/// ranges move to.
+/// The two halves of `range`, after reordering its refs.
 struct Halves {
     RefRange left, right;
 };
-Halves divide(BoxRef* refs, BoxRef* spare, const RefRange& range, const Split& split, int threads);
+Halves divide(BoxRef* refs, const RefRange& range, const Split& split, int threads);
 
 /// Cuts a range in the middle, as its refs lie: for boxes that no plane can tell apart.
 Halves divideInOrder(const BoxRef* refs, const RefRange& range);

@@ -21,9 +21,9 @@ bool isFinite(const Bounds& box) {
     return !box.isEmpty();
 }
 
+/// Below `value` by up to two roundings, which is less than a ray's pad by far.
 float roundedDown(double value) {
-    const float nearest = static_cast<float>(value);
-    return nearest <= value ? nearest : std::nextafterf(nearest, -Box4::kFar);
+    return static_cast<float>(value - kFloatRounding * std::fabs(value));
 }
 
 float roundedUp(double value) {
@@ -81,17 +81,7 @@ Box4 boxInFrame(const TreeFrame& frame, const Bounds& box) {
 
 WideTreeBuilder::WideTreeBuilder(LargeArray<BoxRef> refs, std::size_t count,
                                  const Settings& settings)
-    : refs_(std::move(refs)), spare_(count), count_(count), settings_(settings), items_(count) {}
-
-const BoxRef* WideTreeBuilder::refsOf(const RefRange& range) const {
-    return range.inSpare ? spare_.data() : refs_.data();
-}
-BoxRef* WideTreeBuilder::refsOf(const RefRange& range) {
-    return range.inSpare ? spare_.data() : refs_.data();
-}
-BoxRef* WideTreeBuilder::spareOf(const RefRange& range) {
-    return range.inSpare ? refs_.data() : spare_.data();
-}
+    : refs_(std::move(refs)), count_(count), settings_(settings), items_(count) {}
 
 WideTree WideTreeBuilder::build(const TreeFrame& frame, const Bounds& bounds) {
     WideTree tree;
@@ -106,6 +96,8 @@ WideTree WideTreeBuilder::build(const TreeFrame& frame, const Bounds& bounds) {
     buildNode(measureRange(refs_.data(), 0, count_, threadsNow_), 0, top, &jobs);
     threadsNow_ = 1;
     forEachIndex(jobs.size(), settings_.threads, [&](std::size_t i, int) {
+        constexpr std::size_t kItemsPerNode = 12;
+        jobs[i].nodes.reserve(jobs[i].range.size() / kItemsPerNode);
         buildNode(jobs[i].range, jobs[i].depth, jobs[i].nodes, nullptr);
     });
     tree.nodes_ = joinNodes(top, jobs);
@@ -142,7 +134,7 @@ WideTreeBuilder::LaneSet WideTreeBuilder::gatherLanes(const RefRange& range, int
         const int chosen = laneToSplit(set, byCount);
         if (chosen < 0) break;
         const Lane& lane = set.lanes[chosen];
-        const Halves halves = byCount ? divideInOrder(refsOf(lane.range), lane.range) : halve(lane);
+        const Halves halves = byCount ? divideInOrder(refs_.data(), lane.range) : halve(lane);
         set.lanes[chosen] = {halves.left, {}, false, false};
         set.lanes[set.count++] = {halves.right, {}, false, false};
     }
@@ -186,7 +178,7 @@ void WideTreeBuilder::decide(Lane& lane) {
         lane.isLeaf = true;
         return;
     }
-    lane.split = findSplit(refsOf(range), range, settings_.costs, threadsNow_);
+    lane.split = findSplit(refs_.data(), range, settings_.costs, threadsNow_);
     lane.searched = true;
     if (range.size() > settings_.maxLeafItems) return;
     const float area = range.box.halfArea();
@@ -195,14 +187,12 @@ void WideTreeBuilder::decide(Lane& lane) {
 }
 
 Halves WideTreeBuilder::halve(const Lane& lane) {
-    BoxRef* refs = refsOf(lane.range);
-    if (!lane.split.exists()) return divideInOrder(refs, lane.range);
-    return divide(refs, spareOf(lane.range), lane.range, lane.split, threadsNow_);
+    if (!lane.split.exists()) return divideInOrder(refs_.data(), lane.range);
+    return divide(refs_.data(), lane.range, lane.split, threadsNow_);
 }
 
 std::uint32_t WideTreeBuilder::addLeaf(const RefRange& range) {
-    const BoxRef* refs = refsOf(range);
-    for (std::size_t i = range.begin; i < range.end; ++i) items_[i] = refs[i].item();
+    for (std::size_t i = range.begin; i < range.end; ++i) items_[i] = refs_[i].item();
     return ChildRef::leaf(static_cast<std::uint32_t>(range.begin),
                           static_cast<std::uint32_t>(range.size()))
         .bits();

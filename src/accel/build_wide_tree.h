@@ -50,10 +50,6 @@ class WideTreeBuilder {
         int count = 0;
     };
 
-    const BoxRef* refsOf(const RefRange& range) const;
-    BoxRef* refsOf(const RefRange& range);
-    BoxRef* spareOf(const RefRange& range);
-
     void buildNode(const RefRange& range, int depth, std::vector<WideNode>& nodes,
                    std::vector<Job>* jobs);
     LaneSet gatherLanes(const RefRange& range, int depth);
@@ -64,7 +60,6 @@ class WideTreeBuilder {
     LargeArray<WideNode> joinNodes(std::vector<WideNode>& top, std::vector<Job>& jobs);
 
     LargeArray<BoxRef> refs_;
-    LargeArray<BoxRef> spare_;
     std::size_t count_;
     Settings settings_;
     LargeArray<Index> items_;
