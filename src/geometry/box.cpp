@@ -20,6 +20,12 @@ constexpr FaceTexture kFaces[6] = {
     {0, true, 1, false},  {0, false, 1, false}  // -z +z
 };
 
+struct BoxShape {
+    const Vec3& centre;
+    const Vec3& lo;  ///< the corners relative to the centre
+    const Vec3& hi;
+};
+
 /// A ray relative to the box's centre, its origin in two terms.
 struct BoxRay {
     const Vec3& lo;  ///< the box's own
@@ -59,7 +65,7 @@ inline double smallestOf(const Vec3& v) {
 /// rounding of the box, so its distance to the face tells how far to go on.
 inline bool meet(const BoxRay& ray, const Planes& planes, double rough, Interval range,
                  PrimitiveHit& hit) {
-    if (!range.contains(rough)) return false;
+    if (!(std::fabs(rough) < kInfinity)) return false;
     const int axis = rough == planes.t.z ? 2 : (rough == planes.t.y ? 1 : 0);
     const double face = planes.face[axis];
     const Vec3& d = ray.direction;
@@ -75,6 +81,29 @@ inline bool meet(const BoxRay& ray, const Planes& planes, double rough, Interval
     hit.local[axis] = face;
     hit.part = static_cast<Index>(2 * axis + (face == ray.lo[axis] ? 0 : 1));
     return true;
+}
+
+[[gnu::always_inline]] inline bool cross(const BoxShape& box, const Ray& ray, Interval range,
+                                         PrimitiveHit& hit) {
+    const TwoTerms x = exactDifference(ray.origin.x, box.centre.x);
+    const TwoTerms y = exactDifference(ray.origin.y, box.centre.y);
+    const TwoTerms z = exactDifference(ray.origin.z, box.centre.z);
+    // A NaN is passed over below, so that none may come from outside.
+    if (!(std::fabs(x.value + y.value + z.value) < kInfinity)) return false;
+    const Vec3& d = ray.direction;
+    const BoxRay local{box.lo, Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error), d,
+                       Vec3(1.0 / d.x, 1.0 / d.y, 1.0 / d.z)};
+    const bool upX = local.inverse.x >= 0.0;
+    const bool upY = local.inverse.y >= 0.0;
+    const bool upZ = local.inverse.z >= 0.0;
+    const Planes near = planesAt(local, Vec3(upX ? box.lo.x : box.hi.x, upY ? box.lo.y : box.hi.y,
+                                             upZ ? box.lo.z : box.hi.z));
+    const Planes far = planesAt(local, Vec3(upX ? box.hi.x : box.lo.x, upY ? box.hi.y : box.lo.y,
+                                            upZ ? box.hi.z : box.lo.z));
+    const double entry = largestOf(near.t);
+    const double exit = smallestOf(far.t);
+    if (!(entry <= exit)) return false;
+    return meet(local, near, entry, range, hit) || meet(local, far, exit, range, hit);
 }
 
 }  // namespace
@@ -100,23 +129,17 @@ Bounds Box::bounds() const {
 }
 
 bool Box::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
-    const TwoTerms x = exactDifference(ray.origin.x, centre_.x);
-    const TwoTerms y = exactDifference(ray.origin.y, centre_.y);
-    const TwoTerms z = exactDifference(ray.origin.z, centre_.z);
-    const Vec3& d = ray.direction;
-    const BoxRay local{lo_, Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error), d,
-                       Vec3(1.0 / d.x, 1.0 / d.y, 1.0 / d.z)};
-    const bool upX = local.inverse.x >= 0.0;
-    const bool upY = local.inverse.y >= 0.0;
-    const bool upZ = local.inverse.z >= 0.0;
-    const Planes near =
-        planesAt(local, Vec3(upX ? lo_.x : hi_.x, upY ? lo_.y : hi_.y, upZ ? lo_.z : hi_.z));
-    const Planes far =
-        planesAt(local, Vec3(upX ? hi_.x : lo_.x, upY ? hi_.y : lo_.y, upZ ? hi_.z : lo_.z));
-    const double entry = largestOf(near.t);
-    const double exit = smallestOf(far.t);
-    if (!(entry <= exit)) return false;
-    return meet(local, near, entry, range, hit) || meet(local, far, exit, range, hit);
+    const double size = (hi_.x - lo_.x) + (hi_.y - lo_.y) + (hi_.z - lo_.z);
+    if (isOrdinary(size, ray.direction)) [[likely]] {
+        return cross({centre_, lo_, hi_}, ray, range, hit);
+    }
+    return intersectRescaled(
+        size, ray, range, hit,
+        [&](int exponent, const Ray& scaled, Interval scaledRange, PrimitiveHit& found) {
+            return cross({scaleByPowerOfTwo(centre_, exponent), scaleByPowerOfTwo(lo_, exponent),
+                          scaleByPowerOfTwo(hi_, exponent)},
+                         scaled, scaledRange, found);
+        });
 }
 
 SurfacePoint Box::surface(const PrimitiveHit& hit) const {

@@ -91,7 +91,8 @@ template <class Intersect>
 [[gnu::noinline, gnu::cold]] bool intersectRescaled(double size, const Ray& ray, Interval range,
                                                     PrimitiveHit& hit, const Intersect& intersect) {
     const double speed = largestComponent(ray.direction);
-    if (!(speed > 0.0 && speed < kInfinity)) return false;
+    const bool isNumber = dot(ray.direction, ray.direction) >= 0.0;
+    if (!(isNumber && speed > 0.0 && speed < kInfinity)) return false;
     const int sizeExponent = std::ilogb(size);
     const int speedExponent = std::ilogb(speed);
     const int timeExponent = sizeExponent - speedExponent;
