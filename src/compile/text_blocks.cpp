@@ -1,7 +1,6 @@
 #include "text_blocks.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace rt {
 namespace {
@@ -27,7 +26,7 @@ std::size_t TextBlocks::lastLineEnd() const {
 
 /// Moves what is left to the front and reads on, into a larger buffer if there is little room.
 void TextBlocks::refill() {
-    std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
+    std::copy(buffer_.data() + begin_, buffer_.data() + end_, buffer_.data());
     end_ -= begin_;
     begin_ = 0;
     buffer_.resize(std::max(buffer_.size(), 2 * end_ + kBlockSize));

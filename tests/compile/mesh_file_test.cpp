@@ -138,8 +138,8 @@ TEST_CASE("numbers are correctly rounded") {
         text << (i % 3 == 0 ? "\nv " : " ") << word.str();
         expected.push_back(std::strtod(word.str().c_str(), nullptr));
     }
-    const Loaded loaded = load(text.str() + "\nf 1 2 3\n");
-    REQUIRE(loaded.mesh.positions.size() == 1000);
+    const Loaded loaded = load(text.str() + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\n");
+    REQUIRE(loaded.mesh.positions.size() == 1003);
     for (std::size_t i = 0; i < expected.size(); ++i) {
         CHECK(loaded.mesh.positions[i / 3][static_cast<int>(i % 3)] == expected[i]);
     }
