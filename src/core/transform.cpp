@@ -119,6 +119,10 @@ Vec3 product(const Mat3& m, const Vec3& v) {
                 m[0].z * v.x + m[1].z * v.y + m[2].z * v.z);
 }
 
+Mat3 transposed(const Mat3& m) {
+    return Mat3(m[0].x, m[1].x, m[2].x, m[0].y, m[1].y, m[2].y, m[0].z, m[1].z, m[2].z);
+}
+
 /// w + wError - row . x in twice the precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product,
 /// SIAM J. Sci. Comput. 26, 2005).
 double residual(double w, double wError, double rowX, double rowY, double rowZ, const Vec3& x) {
@@ -221,6 +225,8 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
         if (!made.toObject_.isFinite()) return false;
         made.stretch_ = longestImage(toWorld.linear);
         made.even_ = absoluteRowSum(made.toObject_.linear, toWorld.linear) <= kEvenCondition;
+        made.evenNormals_ = absoluteRowSum(transposed(made.toObject_.linear),
+                                           transposed(toWorld.linear)) <= kEvenCondition;
         // The inverse's entry, a difference, a product and two sums, carried back to the world; the
         // refined way squares them, and rounds once.
         const double plain = gamma(7) * absoluteRowSum(toWorld.linear, made.toObject_.linear);
@@ -249,17 +255,16 @@ Ray Transform::toObject(const Ray& world) const {
 
 Vec3 Transform::normalToWorld(const Vec3& normal) const {
     // Brought near 1 before each use of squares or products: lengths may be 1e-150 or 1e150.
-    const Vec3 n = normal / largest(normal.x, normal.y, normal.z);
-    const Mat3& m = toObject_.linear;
-    Vec3 turned = n;
+    Vec3 n = normal / largest(normal.x, normal.y, normal.z);
     if (!identity_) {
-        turned = Vec3(m[0].x * n.x + m[0].y * n.y + m[0].z * n.z,
-                      m[1].x * n.x + m[1].y * n.y + m[1].z * n.z,
-                      m[2].x * n.x + m[2].y * n.y + m[2].z * n.z);
-        turned /= largest(turned.x, turned.y, turned.z);
+        const Mat3 inverse = transposed(toObject_.linear);
+        Vec3 turned = product(inverse, n);
+        if (!evenNormals_) {
+            turned = refined(transposed(toWorld_.linear), inverse, n, Vec3(0.0), turned);
+        }
+        n = turned / largest(turned.x, turned.y, turned.z);
     }
-    const double square = turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
-    return turned / std::sqrt(square);
+    return n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
 }
 
 Bounds Transform::boundsToWorld(const Bounds& object) const {

@@ -66,6 +66,7 @@ class Transform {
     bool identity_ = true;
     /// Turns and scales that do not make the roundings of `toObject` grow.
     bool even_ = true;
+    bool evenNormals_ = true;  ///< the same for normals, which the transpose carries
     bool flips_ = false;
 };
 
