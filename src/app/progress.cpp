@@ -1,11 +1,14 @@
 #include "rt/app/progress.h"
 
+#include "rt/core/diagnostics.h"
 #include "rt/core/text.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -32,6 +35,7 @@ void writeToStandardError(const std::string& text) {
     std::size_t done = 0;
     while (done < text.size()) {
         const ssize_t count = ::write(STDERR_FILENO, text.data() + done, text.size() - done);
+        if (count < 0 && errno == EINTR) continue;
         if (count <= 0) return;
         done += static_cast<std::size_t>(count);
     }
@@ -134,8 +138,8 @@ void Progress::finish(const RenderSummary& summary) {
                                             : std::string("Render Complete!");
     const std::string error =
         summary.error ? ", estimated error " + errorText(*summary.error) : std::string();
-    output_.write(done + " " + summary.output + " in " + durationText(summary.seconds) + error +
-                  "\n");
+    const std::string name = summary.output == "-" ? "standard output" : printable(summary.output);
+    output_.write(done + " " + name + " in " + durationText(summary.seconds) + error + "\n");
 }
 
 void Progress::abandon() {

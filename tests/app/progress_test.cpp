@@ -108,6 +108,16 @@ TEST_CASE("Percents never go back, and 100 is shown at the end whatever was reac
     CHECK(screen.all() == "25 %\n100 %\nRender Complete! b.png in 1.00 s\n");
 }
 
+TEST_CASE("The end names standard output in words, and no name can command the terminal") {
+    Screen screen;
+    Progress progress(screen.output(false), false);
+    progress.finish({"-", 1.0, std::nullopt});
+    progress.finish({"a\x1b[2J.png", 1.0, std::nullopt});
+    CHECK(holds(screen.all(), "Render Complete! standard output in 1.00 s\n"));
+    CHECK_FALSE(holds(screen.all(), "\x1b"));
+    CHECK(holds(screen.all(), "a\\x1b[2J.png"));
+}
+
 TEST_CASE("Quiet progress says nothing but messages") {
     Screen screen;
     Progress progress(screen.output(true), true);

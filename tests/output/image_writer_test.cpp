@@ -8,13 +8,17 @@
 #include "rt/output/atomic_file.h"
 
 #include <doctest/doctest.h>
+#include <fcntl.h>
 #include <lodepng.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -291,6 +295,8 @@ TEST_CASE("The format is that of the name, in either case, or PNG where the name
         } catch (const OutputError& error) {
             const std::string said = error.what();
             CHECK(said.find("available: .png, .exr, .hdr") != std::string::npos);
+            const bool named = name == "x.xyz" || name == "." || name == "x.";
+            CHECK((said.find("has the unknown extension") != std::string::npos) == named);
         }
     }
 }
@@ -310,9 +316,37 @@ TEST_CASE("What a format cannot hold is refused before rendering") {
         check("a.tif", 37000, 37000, 8);
         CHECK_THROWS_AS(check("a.tif", 38000, 38000, 8), OutputError);
     } else {
-        CHECK_THROWS_AS(check("a.tif", 4, 4, 8), OutputError);
+        MESSAGE("without OpenImageIO: " << oiioLibrary().problem);
+        for (const std::string name : {"a.tif", "a.exr", "a.hdr"}) {
+            CHECK_THROWS_AS(check(name, 4, 4, 8), OutputError);
+        }
+        check("a.png", 4, 4, 8);
     }
     CHECK(std::filesystem::is_empty(folder));
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("Without the plugin, what needs it is refused before rendering" * doctest::timeout(60)) {
+    // This very program under a path that has no plugin beside it.
+    const std::string folder = folderOfTest();
+    const std::string program = folder + "/tests";
+    std::filesystem::copy_file(std::filesystem::read_symlink("/proc/self/exe"), program);
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        const int log = ::open((folder + "/log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        ::dup2(log, 1);
+        ::execl(program.c_str(), program.c_str(), "-tc=What a format cannot hold*",
+                static_cast<char*>(nullptr));
+        ::_exit(99);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    std::ifstream log(folder + "/log");
+    const std::string text{std::istreambuf_iterator<char>(log), std::istreambuf_iterator<char>()};
+    CAPTURE(text);
+    CHECK(status == 0);
+    CHECK(text.find("without OpenImageIO") != std::string::npos);
     std::filesystem::remove_all(folder);
 }
 
