@@ -29,6 +29,8 @@ local KERNELS = {
   avx512 = "-mavx2 -mfma -mbmi -mbmi2 -mlzcnt -mavx512f -mavx512vl -mavx512dq -mavx512bw "
     .. "-mprefer-vector-width=256",
 }
+-- A "unique" symbol cannot be made local; only g++ makes any.
+local SEALABLE = _OPTIONS["clang"] and "" or " -fno-gnu-unique"
 local HOT = {
   "src/core/transform.cpp", "src/math/portable*.cpp", "src/geometry/*.cpp", "src/accel/*.cpp",
   "src/sampling/*.cpp", "src/shading/*.cpp", "src/trace/*.cpp",
@@ -111,7 +113,7 @@ project "rtcore"
 for _, isa in ipairs(KERNEL_NAMES) do
   project("kernel_" .. isa)
     kind "StaticLib"
-    compile("kernel_" .. isa, KERNELS[isa] .. " -DRT_KERNEL_" .. isa:upper())
+    compile("kernel_" .. isa, KERNELS[isa] .. SEALABLE .. " -DRT_KERNEL_" .. isa:upper())
     files(HOT)
     excludes { "src/accel/build_*.cpp" }
     configuration {}

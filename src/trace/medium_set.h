@@ -59,7 +59,7 @@ class MediumSet {
     }
 
     std::uint32_t count_ = 0;
-    std::array<Index, kInline> few_;
+    std::array<Index, kInline> few_{};
     std::vector<Index> many_;
 };
 

@@ -11,18 +11,13 @@
 #include <utility>
 
 namespace rt {
-namespace {
-
-Sampler samplerFor(const TraceSettings& settings) {
-    return Sampler({settings.sampler, settings.filter, settings.seed, settings.spp});
-}
-
-}  // namespace
-
 template <unsigned Features>
 Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings,
                          TraceCounts& counts)
-    : scene_(scene), settings_(settings), counts_(counts), sampler_(samplerFor(settings)) {}
+    : scene_(scene),
+      settings_(settings),
+      counts_(counts),
+      sampler_({settings.sampler, settings.filter, settings.seed, settings.spp}) {}
 
 template <unsigned Features>
 Color Tracer<Features>::sample(int x, int y, int index) {

@@ -50,6 +50,9 @@ class Texture {
     /// full resolution.
     Color filtered(const Vec2& uv, const Vec2& duvdx, const Vec2& duvdy) const;
 
+    /// No look-up gives more than this in any channel.
+    double largestValue() const;
+
   private:
     /// Area means of the image, in w x h texels; rows from the top.
     struct Level {

@@ -4,6 +4,7 @@
 
 #include "rt/geometry/hit.h"
 #include "rt/sampling/sampler_kind.h"
+#include "rt/sampling/sampler_kind.h"
 #include "rt/trace/render_scene.h"
 
 #include <cstdint>
