@@ -85,9 +85,8 @@ struct Tanh {
         if (a < kSeriesLimit) {
             const double z = a * a;
             const DoubleDouble head = fastTwoSum(1.0, 0.5 * z);
-            const double rest =
-                std::fma(z * z, polynomial(kCoshSeries, z), 0.5 * std::fma(a, a, -z));
-            value = quotient(sinhSeries(a), fastTwoSum(head.hi, head.lo + rest));
+            const double rest = head.lo + z * z * polynomial(kCoshSeries, z);
+            value = quotient(sinhSeries(a), fastTwoSum(head.hi, rest));
         } else {
             const BothExponentials e = halfExponentials(a);
             value = quotient(sinhParts(e), sum(e.plus, e.minus));

@@ -12,8 +12,8 @@ constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kMitchellRoot = 8.0 / 7.0;
 /// Newton's method is quadratic inside a cell; only where the filter ends does it need more.
 constexpr int kNewtonSteps = 8;
-/// A step below this is followed by one below 2^-48.
-constexpr double kNewtonEnough = 0x1p-24;
+/// The error that follows a step of this share of a cell is below 2^-24 of the cell.
+constexpr double kNewtonEnough = 0x1p-12;
 
 double radiusOf(FilterKind kind) {
     switch (kind) {

@@ -103,8 +103,9 @@ TEST_CASE("permutations are permutations for every count, and all places are equ
         REQUIRE(*seen.rbegin() == count - 1);
     }
     // A count of more than 16 bits: every number of the range is taken once.
-    std::vector<bool> taken(100000, false);
-    for (std::uint32_t i = 0; i < 100000; ++i) taken[permuted(i, 100000, kSeed)] = true;
+    constexpr std::uint32_t kMany = (1 << 20) + 1;
+    std::vector<bool> taken(kMany, false);
+    for (std::uint32_t i = 0; i < kMany; ++i) taken[permuted(i, kMany, kSeed)] = true;
     CHECK(std::find(taken.begin(), taken.end(), false) == taken.end());
     constexpr int kKeys = 40000;
     for (const std::uint32_t count : {5u, 8u, 16u, 23u}) {

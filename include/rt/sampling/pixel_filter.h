@@ -42,7 +42,7 @@ class PixelFilter {
     double value(double x) const;
 
     /// The sample for a point of the unit square: rising with u along each axis, with the density
-    /// |f| to about 1e-7 of its peak.
+    /// |f|; the share of |f|'s integral up to any place is met to 3e-9.
     FilterSample sample(const Vec2& u) const;
 
   private:
