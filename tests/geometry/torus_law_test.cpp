@@ -170,7 +170,7 @@ TEST_CASE("the range is open at both ends") {
 
 TEST_CASE("a line crosses the surface an even number of times, in ascending order") {
     Random random(8);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 40000; ++i) {
         INFO("case " << i);
         const Case c = random.any();
         const std::vector<double> t = parameters(crossings(c.torus(), c.ray));
