@@ -148,7 +148,7 @@ project "tests"
   kind "ConsoleApp"
   compile("tests")
   includedirs { "tests", "src" }
-  files { "tests/**_test.cpp", "tests/test_main.cpp" }
+  files { "tests/**_test.cpp", "tests/support/*.cpp", "tests/test_main.cpp" }
   link_program()
   linkoptions { "-lquadmath" }
 

@@ -1,0 +1,47 @@
+#!/bin/sh
+# test.sh: sets up, builds, and runs all tests; the last line counts what passed and what failed.
+# test.sh --quick leaves out the sanitizer builds.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+passed=0
+failed=0
+
+# check NAME COMMAND...: runs one suite and counts it.
+check() {
+    name=$1
+    shift
+    echo "== $name"
+    if "$@"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name"
+    fi
+}
+
+# with_clean_environment COMMAND...: sanitizers stop at the first report.
+sanitized() {
+    ASAN_OPTIONS=abort_on_error=0:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 \
+        TSAN_OPTIONS=halt_on_error=1 "$@"
+}
+
+sh tools/setup.sh || exit 1
+check "build (release)" sh tools/build.sh release
+check "include rules" lua5.3 tests/architecture/include_rules.lua
+check "sealed kernels" sh tests/architecture/sealed_kernels.sh
+check "unit and analytic tests" build/release/tests --minimal
+check "certified ray cases" python3 tests/vectors/check.py build/intersect
+check "the program from outside" python3 tests/end_to_end/run.py ./Project
+check "golden images" python3 tests/golden/run.py ./Project
+if [ "${1:-}" != --quick ]; then
+    check "build (address and undefined behaviour sanitizers)" \
+        sh tools/build.sh sanitize tests Project rt_oiio
+    check "unit and analytic tests, sanitized" sanitized build/sanitize/tests --minimal
+    check "the program from outside, sanitized" \
+        sanitized python3 tests/end_to_end/run.py build/sanitize/Project
+    check "build (thread sanitizer)" sh tools/build.sh threads Project
+    check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
+        build/threads/Project --only threads
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
