@@ -3,7 +3,18 @@
 #include "rt/core/error.h"
 #include "rt/output/image_writer.h"
 
+#include <filesystem>
+
 namespace rt {
+namespace {
+
+/// Whether a name, relative to the current folder, leads out of it.
+bool leavesFolder(const std::string& name) {
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    return path.is_absolute() || (path.begin() != path.end() && *path.begin() == "..");
+}
+
+}  // namespace
 
 std::vector<std::string> OutputNames::namesFor(const SceneDesc& scene, std::int64_t frame,
                                                Diagnostics& diagnostics) {
@@ -17,6 +28,12 @@ std::vector<std::string> OutputNames::namesFor(const SceneDesc& scene, std::int6
 
 std::string OutputNames::nameFor(const RenderDesc& render, std::int64_t frame) {
     ++rendersSoFar_;
+    if (!options_.output && !options_.trust && leavesFolder(render.output)) {
+        throw SceneError("gr.render: '" + printable(render.output, 300) +
+                             "' lies outside of the current folder; name it with -o, or allow "
+                             "scripts to write anywhere with --trust",
+                         render.where);
+    }
     const std::string pattern = options_.output.value_or(render.output);
     return numberedName(pattern, options_.frames ? frame : rendersSoFar_);
 }

@@ -1,0 +1,357 @@
+#!/usr/bin/env python3
+"""run.py PROJECT [--only NAME]: the program from outside: exit codes, messages, files, equal bytes.
+
+PROJECT is the executable. --only threads runs what the thread sanitizer should see.
+"""
+import json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+
+PROJECT = ""
+
+BALL = """
+local root = gr.node('root')
+root:add_child(gr.sphere('ball'), gr.material({0.8, 0.4, 0.2}, {0.3, 0.3, 0.3}, 20))
+root:add_child(gr.nh_box('floor', {-5, -2, -5}, {10, 1, 10}), gr.material({0.5, 0.5, 0.5}, {0, 0, 0}, 0))
+gr.render(root, 'ball.png', 64, 48, {0, 1, 5}, {0, -0.2, -1}, {0, 1, 0}, 45, {0.2, 0.2, 0.2},
+          {gr.light({5, 8, 5}, {0.8, 0.8, 0.8}, {1, 0, 0})})
+"""
+
+# Everything that a path can meet, small: what determinism has to hold for.
+EVERYTHING = """
+gr.background({0.1, 0.1, 0.2}, {0.4, 0.5, 0.7})
+local root = gr.node('root')
+local grey = gr.material({0.6, 0.6, 0.6}, {0.2, 0.2, 0.2}, 30)
+root:add_child(gr.nh_box('floor', {-6, -2, -6}, {12, 1, 12}), grey)
+local glass = gr.nh_sphere('glass', {-1.2, 0, 1}, 1)
+glass:set_refraction(1.5, 0.1)
+glass:set_fresnel(true)
+root:add_child(glass, grey)
+local mirror = gr.nh_cylinder('mirror', {1.4, -1, -1}, 2.5, 0.8)
+mirror:set_reflection(0.2)
+root:add_child(mirror, gr.material({0.2, 0.3, 0.5}, {0.5, 0.5, 0.5}, 60))
+local ring = gr.torus('ring', 0.7, 0.2)
+ring:rotate('x', 70)
+ring:translate(0.5, -0.6, 2)
+root:add_child(ring, gr.material({0.8, 0.5, 0.1}, {0.5, 0.5, 0.5}, 40))
+local cone = gr.nh_cone('cone', {0, -1, -2.5}, 2, 1)
+root:add_child(cone, gr.material({0.2, 0.6, 0.3}, {0, 0, 0}, 0))
+local tetra = gr.mesh('tetra', {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+tetra:rotate('y', 30)
+tetra:translate(2, -1, 1.5)
+root:add_child(tetra, gr.material({0.7, 0.2, 0.2}, {0.1, 0.1, 0.1}, 10))
+gr.render(root, 'everything.png', 80, 60, {0, 1.5, 7}, {0, -0.3, -1}, {0, 1, 0}, 45, {0.2, 0.2, 0.2},
+          {gr.light({5, 8, 5}, {0.6, 0.6, 0.6}, {1, 0, 0}, 0.8),
+           gr.light({-6, 5, 3}, {0.3, 0.3, 0.3}, {1, 0, 0})},
+          gr.focal({0, 0, 1}, 0.05, 0.05))
+"""
+
+
+def pfm(path):
+    """-> width, height, rows of (r, g, b) from the top"""
+    with open(path, "rb") as f:
+        assert f.readline().strip() == b"PF"
+        width, height = map(int, f.readline().split())
+        order = "<" if float(f.readline()) < 0 else ">"
+        values = struct.unpack("%s%df" % (order, 3 * width * height), f.read())
+    pixels = [values[3 * i:3 * i + 3] for i in range(width * height)]
+    return width, height, [pixels[width * y:width * (y + 1)] for y in range(height)][::-1]
+
+
+class EndToEnd(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="rt-end-to-end-")
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+        with open(self.path(name), "w") as f:
+            f.write(text)
+        return name
+
+    def run_project(self, *args, code=0, stdin=None, env=None):
+        environment = dict(os.environ, **(env or {}))
+        done = subprocess.run([PROJECT, *args], cwd=self.folder, input=stdin, capture_output=True, timeout=300,
+                              env=environment)
+        if code is not None:
+            self.assertEqual(done.returncode, code, done.stderr.decode(errors="replace")[-3000:])
+        return done
+
+    def read(self, name):
+        with open(self.path(name), "rb") as f:
+            return f.read()
+
+
+class Threads(EndToEnd):
+    def test_everything_at_once_is_the_same_for_1_2_3_and_7_threads(self):
+        self.write("scene.lua", EVERYTHING)
+        images = []
+        for threads in "1", "2", "3", "7":
+            self.run_project("scene.lua", "-q", "--spp", "4", "-j", threads, "-o", "out.pfm")
+            images.append(self.read("out.pfm"))
+        self.assertEqual(len(set(images)), 1)
+
+
+class SameBytes(EndToEnd):
+    def test_every_instruction_set_gives_the_same_bytes(self):
+        self.write("scene.lua", EVERYTHING)
+        images = {}
+        for isa in "baseline", "avx2", "avx512":
+            done = self.run_project("scene.lua", "-q", "--spp", "4", "--isa", isa, "-o", isa + ".pfm", code=None)
+            if done.returncode == 2 and b"cannot run" in done.stderr:
+                continue
+            self.assertEqual(done.returncode, 0, done.stderr)
+            images[isa] = self.read(isa + ".pfm")
+        self.assertIn("baseline", images)
+        self.assertEqual(len(set(images.values())), 1, list(images))
+
+    def test_masked_processor_features_change_nothing(self):
+        self.write("scene.lua", EVERYTHING + "print(math.sin(1.25), 3.7 ^ 1.9, math.exp(0.3), math.log(7))")
+        plain = self.run_project("scene.lua", "-q", "--spp", "4", "-o", "a.pfm")
+        masked = self.run_project("scene.lua", "-q", "--spp", "4", "-o", "b.pfm",
+                                  env={"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F,-BMI2"})
+        self.assertEqual(self.read("a.pfm"), self.read("b.pfm"))
+        self.assertEqual(plain.stdout, masked.stdout)
+
+    def test_a_crop_has_the_bytes_that_the_whole_has_there(self):
+        self.write("scene.lua", EVERYTHING)
+        self.run_project("scene.lua", "-q", "--spp", "4", "-o", "whole.pfm")
+        self.run_project("scene.lua", "-q", "--spp", "4", "-o", "crop.pfm", "--crop", "13,7,41,38")
+        _, _, whole = pfm(self.path("whole.pfm"))
+        width, height, crop = pfm(self.path("crop.pfm"))
+        self.assertEqual((width, height), (28, 31))
+        self.assertEqual(crop, [row[13:41] for row in whole[7:38]])
+
+    def test_another_seed_gives_other_noise(self):
+        self.write("scene.lua", EVERYTHING)
+        self.run_project("scene.lua", "-q", "--spp", "4", "-o", "a.pfm")
+        self.run_project("scene.lua", "-q", "--spp", "4", "-o", "b.pfm", "--seed", "1")
+        self.assertNotEqual(self.read("a.pfm"), self.read("b.pfm"))
+
+    def test_a_script_gives_the_same_image_in_every_run(self):
+        self.write("scene.lua", """
+            local root = gr.node('root')
+            local places = {a = 1, b = 2, c = 3, d = 4, [{}] = 5, [print] = 6, e = 7}
+            local n = 0
+            for key, value in pairs(places) do
+                n = n + 1
+                root:add_child(gr.nh_sphere('s', {n - 4, math.random() * 2 - 1, 0}, 0.1 * value),
+                               gr.material({math.random(), math.random(), 1}, {0, 0, 0}, 0))
+            end
+            gr.render(root, 'out.png', 40, 30, {0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 50, {0.3, 0.3, 0.3},
+                      {gr.light({3, 5, 9}, {0.7, 0.7, 0.7}, {1, 0, 0})})""")
+        images = set()
+        for _ in range(5):
+            self.run_project("scene.lua", "-q")
+            images.add(self.read("out.png"))
+        self.assertEqual(len(images), 1)
+
+
+class Rendering(EndToEnd):
+    def test_the_default_scene_is_project_lua(self):
+        self.write("project.lua", BALL)
+        done = self.run_project()
+        self.assertTrue(os.path.exists(self.path("ball.png")))
+        lines = done.stderr.decode().splitlines()
+        self.assertRegex(lines[0], r"^Threads: \d+$")
+        self.assertIn("Render Complete!", lines[-1])
+        self.assertIn("ball.png", lines[-1])
+        self.assertEqual(done.stdout, b"")
+
+    def test_no_default_scene_is_an_error_that_names_it(self):
+        done = self.run_project(code=1)
+        self.assertIn(b"project.lua", done.stderr)
+
+    def test_a_picture_shows_what_the_script_says(self):
+        self.write("scene.lua", BALL)
+        self.run_project("scene.lua", "-q", "-o", "ball.pfm")
+        width, height, rows = pfm(self.path("ball.pfm"))
+        self.assertEqual((width, height), (64, 48))
+        self.assertEqual(rows[0][0], (0.0, 0.0, 0.0))
+        middle = rows[20][32]
+        self.assertGreater(middle[0], middle[2])
+
+    def test_size_and_spp_from_the_command_line_win(self):
+        self.write("scene.lua", "gr.options{spp = 2}\n" + BALL)
+        self.run_project("scene.lua", "-q", "--size", "20x10", "--spp", "3", "--stats", "stats.json")
+        render = json.loads(self.read("stats.json"))["renders"][0]
+        self.assertEqual((render["width"], render["height"]), (20, 10))
+        self.assertEqual((render["spp_min"], render["spp_max"], render["rays"]["camera"]), (3, 3, 600))
+
+    def test_statistics_hold_every_key(self):
+        self.write("scene.lua", EVERYTHING)
+        self.run_project("scene.lua", "-q", "--spp", "2", "--stats", "stats.json")
+        stats = json.loads(self.read("stats.json"))
+        render = stats["renders"][0]
+        for key in ("scene output width height threads seed spp_mean spp_min spp_max error_estimate error_target "
+                    "converged triangles primitives instances lights build_seconds render_seconds cpu_seconds "
+                    "peak_rss_bytes rays cut_paths cut_error_bound features skipped warnings").split():
+            self.assertIn(key, render)
+        self.assertEqual((render["triangles"], render["primitives"], render["instances"], render["lights"]),
+                         (4, 5, 6, 2))
+        self.assertGreater(render["rays"]["refraction"], 0)
+        self.assertGreater(render["peak_rss_bytes"], 1000000)
+
+    def test_explain_says_what_was_left_out(self):
+        self.write("scene.lua", BALL)
+        done = self.run_project("scene.lua", "--explain")
+        self.assertIn(b"Left out", done.stderr)
+        self.assertIn(b"no object has set_refraction", done.stderr)
+
+    def test_check_renders_nothing(self):
+        self.write("scene.lua", BALL)
+        self.run_project("scene.lua", "--check")
+        self.assertFalse(os.path.exists(self.path("ball.png")))
+        self.write("bad.lua", "local root = gr.node('r')\nroot:add_child(gr.sphere('bare'))\n"
+                   "gr.render(root, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        done = self.run_project("bad.lua", "--check", code=1)
+        self.assertIn(b"bad.lua:2", done.stderr)
+        self.assertIn(b"bare", done.stderr)
+
+    def test_several_renders_and_folders_that_are_missing(self):
+        self.write("scene.lua", BALL + BALL.replace("ball.png", "made/deeper/ball.png"))
+        self.run_project("scene.lua", "-q")
+        self.assertEqual(self.read("ball.png"), self.read("made/deeper/ball.png"))
+
+    def test_numbered_output_for_several_renders(self):
+        self.write("scene.lua", BALL + BALL)
+        self.run_project("scene.lua", "-q", "-o", "image##.png")
+        self.assertTrue(os.path.exists(self.path("image01.png")) and os.path.exists(self.path("image02.png")))
+        done = self.run_project("scene.lua", "-q", "-o", "same.png", code=2)
+        self.assertIn(b"#", done.stderr)
+
+    def test_frames_run_the_script_once_each(self):
+        self.write("scene.lua", BALL.replace("'ball.png'", "string.format('f%d-%.2f.png', gr.frame, gr.time)"))
+        self.run_project("scene.lua", "-q", "--spp", "1", "--frames", "3-5")
+        for name in "f3-0.00.png", "f4-0.50.png", "f5-1.00.png":
+            self.assertTrue(os.path.exists(self.path(name)), name)
+
+    def test_snapshots(self):
+        self.write("scene.lua", BALL + """
+            local root = gr.node('r')
+            local ball = gr.sphere('s')
+            root:add_child(ball, gr.material({1, 1, 1}, {0, 0, 0}, 0))
+            local function shot(name)
+                gr.render(root, name, 32, 32, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 50, {1, 1, 1}, {})
+            end
+            shot('a.pfm')
+            ball:translate(100, 0, 0)
+            shot('b.pfm')
+            ball:translate(-100, 0, 0)
+            shot('c.pfm')""")
+        self.run_project("scene.lua", "-q")
+        self.assertEqual(self.read("a.pfm"), self.read("c.pfm"))
+        self.assertNotEqual(self.read("a.pfm"), self.read("b.pfm"))
+
+    def test_a_scene_from_stdin_to_stdout(self):
+        done = self.run_project("-", "-q", "-o", "-", stdin=BALL.encode() + b"print('a word')")
+        self.assertTrue(done.stdout.startswith(b"\x89PNG"), done.stdout[:20])
+        self.assertIn(b"a word", done.stderr)
+
+    def test_time_limit_ends_a_render_that_would_take_long(self):
+        self.write("scene.lua", EVERYTHING)
+        began = time.time()
+        self.run_project("scene.lua", "-q", "--time", "0.5", "--size", "640x480", "--stats", "s.json")
+        self.assertLess(time.time() - began, 60)
+        render = json.loads(self.read("s.json"))["renders"][0]
+        self.assertGreaterEqual(render["spp_max"], 1)
+
+    def test_a_light_too_bright_for_numbers_is_reported(self):
+        self.write("scene.lua", BALL.replace("{0.8, 0.8, 0.8}, {1, 0, 0}", "{1e308, 1e308, 1e308}, {1e-300, 0, 0}"))
+        done = self.run_project("scene.lua")
+        self.assertIn(b"not finite", done.stderr)
+
+
+class Failures(EndToEnd):
+    CASES = [
+        # name, script, arguments, exit code, fragments of stderr
+        ("missing scene", None, ["nothing.lua"], 1, ["nothing.lua", "No such file"]),
+        ("unknown flag", BALL, ["scene.lua", "--treads", "2"], 2, ["--threads"]),
+        ("bad size", BALL, ["scene.lua", "--size", "0x10"], 2, ["size"]),
+        ("spp with error", BALL, ["scene.lua", "--spp", "4", "--error", "0.1"], 2, ["--spp"]),
+        ("syntax error", "x = = 1", ["scene.lua"], 1, ["scene.lua:1", "near"]),
+        ("wrong argument", "gr.nh_sphere('s', {0,0,0}, -1)", ["scene.lua"], 1,
+         ["scene.lua:1", "gr.nh_sphere", "radius must be > 0", "-1"]),
+        ("misspelt call", "\ngr.sphear('s')", ["scene.lua"], 1, ["scene.lua:2", "sphere"]),
+        ("no material", "r = gr.node('r') r:add_child(gr.sphere('bare'))\n"
+         "gr.render(r, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})", ["scene.lua"], 1,
+         ["scene.lua:1", "bare", "material"]),
+        ("missing mesh", "gr.mesh('m', 'cow.obj')", ["scene.lua"], 1, ["scene.lua:1", "cow.obj"]),
+        ("cycle", "a = gr.node('a') b = gr.node('b') a:add_child(b)\nb:add_child(a)", ["scene.lua"], 1,
+         ["scene.lua:2", "cycle"]),
+        ("too many pixels", BALL.replace("64, 48", "40000, 40000"), ["scene.lua"], 4, ["--max-pixels"]),
+        ("too many instances", "n = gr.sphere('s') n:set_material(gr.material({1,1,1},{0,0,0},0))\n"
+         "for i = 1, 40 do local p = gr.node('p') p:add_child(n) p:add_child(n) n = p end\n"
+         "gr.render(n, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})", ["scene.lua"], 4,
+         ["--max-instances"]),
+        ("endless script", "while true do end", ["scene.lua", "--script-time", "0.3"], 4, ["scene.lua:1", "--script-time"]),
+        ("too much memory", "local t = {} for i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end",
+         ["scene.lua", "--script-memory", "32M"], 4, ["--script-memory"]),
+        ("output into nowhere", BALL, ["scene.lua", "-o", "/proc/nowhere/x.png"], 3, ["/proc/nowhere"]),
+        ("output over its own scene", BALL, ["scene.lua", "-o", "scene.lua"], None, ["scene.lua"]),
+        ("unknown extension", BALL, ["scene.lua", "-o", "x.xyz"], None, ["xyz"]),
+        ("unknown instruction set", BALL, ["scene.lua", "--isa", "mmx"], 2, ["isa"]),
+        ("outside of the folder", "dofile('../x.lua')", ["scene.lua"], 1, ["scene.lua:1"]),
+        ("writing", "io.open('x', 'w')", ["scene.lua"], 1, ["scene.lua:1", "--trust"]),
+        ("script output outside", BALL.replace("ball.png", "../ball.png"), ["scene.lua"], None, ["../ball.png"]),
+    ]
+
+    def test_failures_say_what_where_and_what_would_be_right(self):
+        for name, script, arguments, code, fragments in self.CASES:
+            with self.subTest(name):
+                if script is not None:
+                    self.write("scene.lua", script)
+                done = self.run_project(*arguments, code=None)
+                text = done.stderr.decode(errors="replace")
+                if code is None:
+                    self.assertIn(done.returncode, (1, 2, 3), text)
+                else:
+                    self.assertEqual(done.returncode, code, text)
+                for fragment in fragments:
+                    self.assertIn(fragment, text)
+                self.assertFalse(os.path.exists(os.path.join(self.folder, "..", "ball.png")))
+
+    def test_one_bad_scene_does_not_stop_the_others(self):
+        self.write("bad.lua", "x = = 1")
+        self.write("good.lua", BALL)
+        done = self.run_project("bad.lua", "good.lua", code=1)
+        self.assertTrue(os.path.exists(self.path("ball.png")))
+        os.remove(self.path("ball.png"))
+        self.run_project("bad.lua", "good.lua", "--fail-fast", code=1)
+        self.assertFalse(os.path.exists(self.path("ball.png")))
+
+    def test_werror_turns_warnings_into_failure(self):
+        self.write("scene.lua", BALL.replace("{1, 0, 0})})", "{0, 0, 0})})"))
+        done = self.run_project("scene.lua", "-q")
+        self.assertIn(b"warning", done.stderr)
+        self.run_project("scene.lua", "-q", "--werror", code=1)
+
+    def test_an_interrupt_saves_what_there_is(self):
+        self.write("scene.lua", EVERYTHING)
+        running = subprocess.Popen([PROJECT, "scene.lua", "--spp", "100000", "-o", "out.png"], cwd=self.folder,
+                                   stderr=subprocess.PIPE)
+        time.sleep(1.5)
+        began = time.time()
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=120)
+        self.assertEqual(running.returncode, 130)
+        self.assertTrue(os.path.exists(self.path("out.partial.png")))
+        self.assertFalse(os.path.exists(self.path("out.png")))
+        self.assertLess(time.time() - began, 30)
+
+
+def main():
+    global PROJECT
+    PROJECT = os.path.abspath(sys.argv[1])
+    suite = unittest.TestSuite()
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Failures]
+    for case in cases:
+        suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
+    result = unittest.TextTestRunner(verbosity=1).run(suite)
+    return 0 if result.wasSuccessful() and result.testsRun > 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
