@@ -102,8 +102,9 @@ int detail::runGuarded(lua_State* state, int (*function)(lua_State*),
     if (inFinaliser) return results;
     const bool raises =
         overdraft == Overdraft::kRaise && results >= 0 && staysOverdrawn(state, results);
+    const int ended = raises ? pushMemoryError(state) : results;
     host.memory.suspend(false);
-    return raises ? pushMemoryError(state) : results;
+    return ended;
 }
 
 void protectedCall(lua_State* state, int arguments, int results) {

@@ -66,7 +66,10 @@ TEST_CASE("Big scripts load or fail within the limits") {
     std::string constants = "local t = {";
     for (int i = 0; i < 300000; ++i) constants += std::to_string(i) + ".5,";
     CHECK(runCaged(constants + "} tell(#t)").told == "300000\n");
-    CHECK(runCaged(constants + "}", memoryLimit(2 * kMega)).code == 4);
+    const Outcome tooBig = runCaged(constants + "}", memoryLimit(2 * kMega));
+    CHECK(tooBig.code == 4);
+    CHECK(tooBig.message ==
+          "scene.lua: not enough memory: the script needs more than 2 MB (--script-memory)");
     const CageFolder folder;
     folder.write("big.lua", std::string(LuaState::kMostScriptBytes + 1, ' '));
     const Outcome outcome = runFileIn(folder, "big.lua");
@@ -167,6 +170,11 @@ TEST_CASE("Errors at run time carry file and line, whatever the error value is")
         CHECK(contains(outcome.message, row.message));
         CHECK(outcome.message.starts_with("scene.lua:"));
     }
+}
+
+TEST_CASE("A chunk that a script names itself is named once") {
+    CHECK(runCaged("load('\\nerror(\"x\")', '=made')()").message == "made:2: x");
+    CHECK(runCaged("load('x()', 'x = 1')()").message.starts_with("[string \"x = 1\"]:1: "));
 }
 
 TEST_CASE("A returned value is ignored") {
@@ -275,6 +283,7 @@ TEST_CASE("Loops end at the time limit, whatever the script does to go on") {
         "\nlocal function loop() while true do end end while true do pcall(loop) end",
         "\nlocal function loop() while true do end end while true do xpcall(loop, tostring) end",
         "\ncoroutine.wrap(function() while true do end end)()",
+        "\ncoroutine.resume(coroutine.create(function() while true do end end))",
         "\nwhile true do coroutine.resume(coroutine.create(function() while true do end end)) end",
         "\nsetmetatable(_G, {__index = function(t, k) while true do end end}) tell(nope)",
         "\ntell(tostring(setmetatable({}, {__tostring = function() while true do end end})))",
