@@ -78,6 +78,7 @@ class Batch {
           assets_(threads_) {}
 
     int run() {
+        if (options_.stats) checkWritable(*options_.stats);
         progress_.begin(threads_);
         for (const std::string& scene : options_.scenes) {
             const int code = attempt(scene);
@@ -115,10 +116,9 @@ class Batch {
         const ScriptResult script = runScript(path, scriptSettings(options_, frame), diagnostics);
         if (options_.listParams) return printParameters(script);
         const std::vector<std::string> outputs = names_.namesFor(script.scene, frame, diagnostics);
-        for (const std::string& output : outputs) {
-            if (options_.check) continue;
-            refuseOverwriting(output, script.filesRead);
-            checkWritable(output);
+        for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
+            refuseOverwriting(outputs[i], script.filesRead);
+            checkOutput(outputs[i], script.scene.renders[i]);
         }
         for (std::size_t i = 0; i < outputs.size(); ++i) {
             renderOne(script.scene, i, outputs[i], diagnostics);
@@ -145,6 +145,18 @@ class Batch {
         save(outcome, outcome.cancelled ? partialName(output) : output, options, stats);
         stats_.push_back(std::move(stats));
         if (outcome.cancelled) throw Interrupted{};
+    }
+
+    /// What can be known about an output before there is anything to write.
+    void checkOutput(const std::string& output, const RenderDesc& render) const {
+        refuseTooManyPixels(render);
+        ImageSize size = options_.size.value_or(ImageSize{render.width, render.height});
+        if (options_.crop) {
+            const Crop crop = clipped(*options_.crop, size.width, size.height).first;
+            size = {crop.x1 - crop.x0, crop.y1 - crop.y0};
+        }
+        checkImageOutput(output, size.width, size.height,
+                         imageSettings(options_.render.over(render.options)));
     }
 
     RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,

@@ -237,6 +237,7 @@ TEST_CASE("Nonsense is refused with exit code 2 and words that say what would be
         {{"--script-memory", "0"}, "512M"},
         {{"--script-memory", "-1"}, "512M"},
         {{"--script-memory", "17179869184G"}, "512M"},
+        {{"--script-memory", "17179869185G"}, "512M"},
         {{"--script-time", "-1"}, ">= 0"},
         {{"--script-time", "nan"}, ">= 0"},
         {{"--script-time", "inf"}, ">= 0"},
