@@ -17,9 +17,8 @@ std::size_t TextBlocks::lastLineEnd() const {
         if (c != '\n' && !(c == '\r' && i < end_)) continue;
         std::size_t before = i - 1;
         if (c == '\n' && before > begin_ && buffer_[before - 1] == '\r') --before;
-        const bool splitsPair = c == '\r' && buffer_[i] == '\n';
         const bool goesOn = before > begin_ && buffer_[before - 1] == '\\';
-        if (!splitsPair && !goesOn) return i;
+        if (!goesOn) return i;
     }
     return begin_;
 }

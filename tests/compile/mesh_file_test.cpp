@@ -113,12 +113,17 @@ TEST_CASE("errors name the line, whatever ends the lines") {
 
 TEST_CASE("line ends and continuations work where blocks of the file meet") {
     // Comments of growing length move the seam over all characters of the statements.
+    const test::ScratchFolder folder;
+    Diagnostics diagnostics;
     const std::string tail = "v 0 0 0\\\r\n\r\nv 1 0 0\r\nv 1 1\\\r\n 0\r\nf 1 2 3\r\n";
     for (std::size_t shift = 0; shift <= tail.size(); ++shift) {
         const std::size_t length = (std::size_t{1} << 20) - 1 - tail.size() + shift - 2;
         const std::string text = "#" + std::string(length, 'x') + "\n" + tail;
         CAPTURE(shift);
         const TriangleMesh mesh = load(text).mesh;
+        const std::string broken = folder.file("broken.obj", text + "f 0");
+        CHECK_THROWS_WITH_AS(loadObj(broken, {}, diagnostics),
+                             (broken + ":8: vertex 0: an OBJ counts from 1").c_str(), SceneError);
         CHECK(mesh.positions == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
         CHECK(mesh.triangles.size() == 1);
     }
@@ -201,6 +206,21 @@ TEST_CASE("a triangle without area is dropped and opens no hole") {
     CHECK(loaded.mesh.closed);
     CHECK(loaded.mesh.triangles.size() == 13);
     CHECK(loaded.diagnostics.countByKind().at("mesh-degenerate") == 1);
+}
+
+TEST_CASE("triangles with a repeated vertex count at no edge") {
+    CHECK(load(kCube + "f 1 2 1\nf 1 1 2\nf 2 1 1\n").mesh.closed);
+}
+
+TEST_CASE("normals and texture coordinates stay with their faces when others are dropped") {
+    const TriangleMesh mesh = load(kSquare +
+                                   "v 2 0 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 1 0 0\n"
+                                   "f 1/1/1 1/1/1 2/1/1\nf 1/2/2 2/2/2 3/2/2\n"
+                                   "f 1/1/1 2/1/1 5/1/1\nf 1/3/2 3/3/2 4/3/1\n")
+                                  .mesh;
+    CHECK(mesh.triangles == std::vector<TriangleMesh::Corners>{{0, 1, 2}, {0, 2, 3}});
+    CHECK(mesh.uvCorners == std::vector<TriangleMesh::Corners>{{1, 1, 1}, {2, 2, 2}});
+    CHECK(mesh.normalCorners == std::vector<TriangleMesh::Corners>{{1, 1, 1}, {1, 1, 0}});
 }
 
 TEST_CASE("a straight corner in a polygon opens no hole either") {

@@ -23,7 +23,7 @@ std::string smallPng(unsigned width = 8, unsigned height = 8) {
 }
 
 void put32(std::string& bytes, std::size_t at, std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(value >> (24 - 8 * i));
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(value >> (24 - 8 * i));
 }
 
 /// A PNG whose header claims another size, with the header's checksum put right.

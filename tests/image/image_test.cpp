@@ -126,10 +126,10 @@ TEST_CASE("long thin images are images") {
 
 TEST_CASE("files without losses come through OpenImageIO as they are") {
     const std::vector<std::uint8_t> codes = {0, 1, 2, 250, 128, 255, 9, 8, 7, 100, 50, 25};
-    for (const auto& [format, name] :
-         {std::pair("tiff", "a.tif"), std::pair("targa", "a.tga"), std::pair("bmp", "a.bmp")}) {
+    for (const std::string format : {"tiff", "targa", "bmp"}) {
         CAPTURE(format);
-        const Loaded loaded = load(name, throughOiio(format, codes, 2, 2, 3));
+        const std::string extension = format == "tiff" ? "tif" : format == "bmp" ? "bmp" : "tga";
+        const Loaded loaded = load("a." + extension, throughOiio(format.c_str(), codes, 2, 2, 3));
         CHECK(loaded.image.width == 2);
         CHECK(loaded.image.channels == 3);
         CHECK(samplesOf<std::uint8_t>(loaded.image) == codes);

@@ -189,8 +189,10 @@ TEST_CASE("without a footprint the filtered value is the bilinear one") {
 }
 
 TEST_CASE("a footprint over whole repeats gives the image's mean, at any size of image") {
-    for (const auto& [width, height] :
+    for (const auto& size :
          {std::pair(1, 1), std::pair(7, 5), std::pair(13, 1), std::pair(20, 12)}) {
+        const int width = size.first;
+        const int height = size.second;
         CAPTURE(width);
         const Texture texture(ramps(width, height), {false, false, true});
         for (const double repeats : {64.0, 1024.0}) {
