@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include "rt/sampling/warp.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
 #include <string>
@@ -292,4 +295,27 @@ TEST_CASE("the sampler's pixel goes through the filter") {
     }
     CHECK(negative);
     CHECK(outside);
+}
+
+TEST_CASE("numbers, filters and warps have the bits of every other machine") {
+    std::uint64_t hash = 0;
+    const auto add = [&hash](double v) { hash = mixBits(hash ^ std::bit_cast<std::uint64_t>(v)); };
+    const Vec3 axis(0.36, -0.48, 0.8);
+    for (const SamplerKind kind : kKinds) {
+        for (const FilterKind filter : {FilterKind::kBox, FilterKind::kGaussian,
+                                        FilterKind::kMitchell, FilterKind::kBlackmanHarris}) {
+            Sampler sampler({kind, filter, kSeed, 23});
+            for (int index = 0; index < 5000; ++index) {
+                sampler.start(index % 7, index % 5, index);
+                const FilterSample s = sampler.pixel();
+                const Vec2 lens = concentricDisc(sampler.lens());
+                const Vec3 light = coneDirection(axis, 0.3, sampler.light(3, 1));
+                for (const double v : {s.offset.x, s.offset.y, s.weight, lens.x, lens.y, light.x,
+                                       light.y, light.z}) {
+                    add(v);
+                }
+            }
+        }
+    }
+    CHECK(hash == 0xea4ef82ef3f60e38);
 }
