@@ -57,6 +57,10 @@ class BoxRay {
     double startSlack_;
 };
 
+inline bool isFinite(const Vec3& v) {
+    return std::fabs(v.x) < kInfinity && std::fabs(v.y) < kInfinity && std::fabs(v.z) < kInfinity;
+}
+
 /// The largest absolute value of a component.
 inline double longestComponent(const Vec3& v) {
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
@@ -90,7 +94,7 @@ inline bool BoxRay::approach(Vec3& origin, const Vec3& direction, double pad) {
 inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
     Vec3 direction = ray.direction;
     double longest = longestComponent(direction);
-    if (!(longest > 0.0 && longest < kInfinity)) return false;
+    if (!(longest > 0.0 && isFinite(direction))) return false;
     out.rate_ = frame.scale;
     if (!(longest > 0x1p-1000 && longest < 0x1p1000)) {
         const double shrink = longest < 1.0 ? 0x1p500 : 0x1p-500;
@@ -101,12 +105,14 @@ inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
     constexpr std::uint64_t kExponentBits = std::uint64_t{0x7ff} << 52;
     const double power =
         std::bit_cast<double>(std::bit_cast<std::uint64_t>(longest) & kExponentBits);
-    direction *= 1.0 / power;
+    // The exponent is neither the least nor the largest, so that this is 1 / power.
+    direction *=
+        std::bit_cast<double>((std::uint64_t{0x7fe} << 52) - std::bit_cast<std::uint64_t>(power));
     out.rate_ *= power;
 
     Vec3 origin = (ray.origin - frame.centre) * frame.scale;
     const double away = longestComponent(origin);
-    if (!(away < kInfinity && out.rate_ > 0.0 && out.rate_ < kInfinity)) return false;
+    if (!(isFinite(origin) && out.rate_ > 0.0 && out.rate_ < kInfinity)) return false;
     const double pad =
         kBoxPad + kOriginRounding * (away + longestComponent(frame.centre) * frame.scale);
     out.start_ = 0.0;

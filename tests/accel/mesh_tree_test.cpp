@@ -1,0 +1,215 @@
+// The tree over triangles against the plain loop over all of them, to the bit; and no leaks.
+#include "rt/accel/mesh_tree.h"
+
+#include "accel/accel_cases.h"
+#include "rt/geometry/triangle.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+/// Every triangle hit in `range`, by t, then by number.
+std::vector<PrimitiveHit> allByLoop(const TriangleMesh& mesh, const Ray& ray, Interval range) {
+    const TriangleRay prepared(ray);
+    std::vector<PrimitiveHit> hits;
+    for (Index i = 0; i < mesh.triangles.size(); ++i) {
+        const TriangleMesh::Corners& at = mesh.triangles[i];
+        PrimitiveHit hit;
+        if (!intersectTriangle(prepared, mesh.positions[at[0]], mesh.positions[at[1]],
+                               mesh.positions[at[2]], range, hit)) {
+            continue;
+        }
+        hit.part = i;
+        hits.push_back(hit);
+    }
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const PrimitiveHit& a, const PrimitiveHit& b) { return a.t < b.t; });
+    return hits;
+}
+
+bool same(const PrimitiveHit& a, const PrimitiveHit& b) {
+    return a.t == b.t && a.part == b.part && a.local == b.local;
+}
+
+/// Asks tree and loop the same; returns whether all answers agree.
+bool agrees(const TriangleMesh& mesh, const MeshTree& tree, const Ray& ray, Interval range) {
+    const std::vector<PrimitiveHit> truth = allByLoop(mesh, ray, range);
+    PrimitiveHit hit;
+    std::vector<PrimitiveHit> all;
+    tree.allHits(ray, range, all);
+    const bool found = tree.closestHit(ray, range, hit);
+    return found == !truth.empty() && tree.anyHit(ray, range) == found &&
+           (!found || same(hit, truth.front())) &&
+           std::equal(all.begin(), all.end(), truth.begin(), truth.end(), same);
+}
+
+void compareWithLoop(unsigned seed, int meshes, int raysEach) {
+    CAPTURE(seed);
+    Draws draws{std::mt19937_64(seed)};
+    for (int round = 0; round < meshes; ++round) {
+        const double size = draws.magnitude(-6, 6);
+        const Vec3 at = round % 3 == 0 ? Vec3(0.0) : size * draws.magnitude(0, 6) * draws.unit();
+        const TriangleMesh mesh = triangleSoup(draws, 1 + draws.below(60), size, at);
+        const MeshTree tree = MeshTree::build(mesh, 1);
+        int wrong = 0;
+        for (int i = 0; i < raysEach; ++i) {
+            const Ray ray = hostileRay(draws, mesh, size);
+            const Interval range = i % 3 == 0 ? Interval{0.25, 1.5} : Interval{};
+            wrong += agrees(mesh, tree, ray, range) ? 0 : 1;
+        }
+        REQUIRE(wrong == 0);
+    }
+}
+
+/// Rays from inside a closed mesh at its corners and at points of its edges, `count` of each.
+int leaks(Draws& draws, const TriangleMesh& mesh, const MeshTree& tree, int count, double scale,
+          const Vec3& centre) {
+    int lost = 0;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 eye = centre + 0.5 * scale * draws.unit();
+        const auto& at = mesh.triangles[draws.below(mesh.triangles.size())];
+        const Vec3 a = mesh.positions[at[0]], b = mesh.positions[at[1]];
+        for (const Vec3& target : {a, a + draws.between(0, 1) * (b - a), 0.5 * (a + b)}) {
+            PrimitiveHit hit;
+            lost += tree.closestHit({eye, target - eye}, {}, hit) ? 0 : 1;
+        }
+    }
+    return lost;
+}
+
+void checkLeaks(unsigned seed, int count) {
+    CAPTURE(seed);
+    Draws draws{std::mt19937_64(seed)};
+    for (const double scale : {1.0, 1e-3, 1e3}) {
+        for (const double offset : {0.0, 1e6}) {
+            const Vec3 centre = offset * Vec3(1.0, -0.7, 0.3);
+            const TriangleMesh mesh = closedBall(draws, 5, scale, centre);
+            const MeshTree tree = MeshTree::build(mesh, 2);
+            CAPTURE(scale);
+            CAPTURE(offset);
+            CHECK(leaks(draws, mesh, tree, count, scale, centre) == 0);
+        }
+    }
+}
+
+/// Long needles at all angles, such as splitting is for.
+TriangleMesh needles(Draws& draws, int count) {
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 from = draws.unit();
+        const auto first = static_cast<Index>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(),
+                              {from, from + 2.0 * draws.unit(), from + 0.002 * draws.unit()});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("an empty mesh has a tree that meets nothing") {
+    const MeshTree tree = MeshTree::build({}, 2);
+    PrimitiveHit hit;
+    CHECK_FALSE(tree.closestHit({{0, 0, 0}, {0, 0, 1}}, {}, hit));
+    CHECK_FALSE(tree.anyHit({{0, 0, 0}, {0, 0, 1}}, {}));
+    CHECK(tree.bounds().isEmpty());
+    CHECK_FALSE(MeshTree().anyHit({{0, 0, 0}, {0, 0, 1}}, {}));
+}
+
+TEST_CASE("one triangle is hit as by itself") {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const MeshTree tree = MeshTree::build(mesh, 1);
+    PrimitiveHit hit;
+    REQUIRE(tree.closestHit({{0.25, 0.5, 3}, {0, 0, -2}}, {}, hit));
+    CHECK(hit.t == 1.5);
+    CHECK(hit.part == 0);
+    CHECK(hit.local == Vec3(0.25, 0.25, 0.5));
+    CHECK_FALSE(tree.anyHit({{0.25, 0.5, 3}, {0, 0, -2}}, {1.5, 9.0}));
+    CHECK_FALSE(tree.anyHit({{0.25, 0.5, 3}, {0, 0, -2}}, {0.0, 1.5}));
+    CHECK(tree.bounds().max == Vec3(1, 1, 0));
+}
+
+TEST_CASE("of triangles hit at the same t the first is named, whatever the tree") {
+    TriangleMesh mesh;
+    for (int i = 0; i < 500; ++i) {
+        const auto first = static_cast<Index>(mesh.positions.size());
+        const double r = std::ldexp(1.0, (i * 37) % 11);
+        mesh.positions.insert(mesh.positions.end(),
+                              {Vec3(-r, -r, 0), Vec3(2 * r, -r, 0), Vec3(-r, 2 * r, 0)});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    const MeshTree tree = MeshTree::build(mesh, 1);
+    PrimitiveHit hit;
+    REQUIRE(tree.closestHit({{0, 0, 1}, {0, 0, -1}}, {}, hit));
+    CHECK(hit.part == 0);
+    std::vector<PrimitiveHit> all;
+    tree.allHits({{0, 0, 1}, {0, 0, -1}}, {}, all);
+    CHECK(all.size() == 500);
+}
+
+TEST_CASE("the tree answers as the plain loop does, to the bit") {
+    compareWithLoop(41, 100, 1000);
+}
+
+TEST_CASE("the tree answers as the plain loop does, ten million times" * doctest::skip()) {
+    compareWithLoop(42, 2000, 5000);
+}
+
+TEST_CASE("a mesh of needles is split, and answers all the same") {
+    Draws draws{std::mt19937_64(43)};
+    const TriangleMesh mesh = needles(draws, 400);
+    const MeshTree tree = MeshTree::build(mesh, 1);
+    int wrong = 0;
+    for (int i = 0; i < 5000; ++i) {
+        wrong += agrees(mesh, tree, hostileRay(draws, mesh, 1.0), {}) ? 0 : 1;
+    }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("no ray from inside slips between the triangles of a closed mesh") {
+    checkLeaks(44, 2000);
+}
+
+TEST_CASE("no ray from inside slips out, millions of times" * doctest::skip()) {
+    checkLeaks(45, 350000);
+}
+
+TEST_CASE("a hundred thousand equal triangles build, and the first one is hit") {
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles.assign(100000, {0, 1, 2});
+    const MeshTree tree = MeshTree::build(mesh, 2);
+    PrimitiveHit hit;
+    REQUIRE(tree.closestHit({{0.25, 0.25, 1}, {0, 0, -1}}, {}, hit));
+    CHECK(hit.part == 0);
+}
+
+TEST_CASE("a mesh tree is the same for any number of threads") {
+    Draws draws{std::mt19937_64(46)};
+    const TriangleMesh ball = closedBall(draws, 7, 1.0, Vec3(0.0));
+    const TriangleMesh thin = needles(draws, 30000);
+    for (const TriangleMesh* mesh : {&ball, &thin}) {
+        const MeshTree one = MeshTree::build(*mesh, 1);
+        for (const int threads : {2, 5}) {
+            const MeshTree other = MeshTree::build(*mesh, threads);
+            REQUIRE(other.bytes() == one.bytes());
+            const std::size_t nodes = one.tree().nodeCount() * sizeof(WideNode);
+            CHECK(std::memcmp(other.tree().nodes(), one.tree().nodes(), nodes) == 0);
+        }
+    }
+}
+
+TEST_CASE("memory stays within 110 bytes a triangle, 160 with splits") {
+    Draws draws{std::mt19937_64(47)};
+    const TriangleMesh ball = closedBall(draws, 6, 1.0, Vec3(0.0));
+    CHECK(MeshTree::build(ball, 1).bytes() <= 110 * ball.triangles.size());
+}
