@@ -99,10 +99,15 @@ TEST_CASE("A walk that starts anew sees the keys that came since") {
               .told == "nil\nx 1\n1 2\nx 1\n");
 }
 
+TEST_CASE("next goes on from a key that came since the walk began") {
+    CHECK(runCaged("local t = {b = 1, d = 2} next(t, 'b') t.c = 3 t.cc = 4 tell(next(t, 'c'))")
+              .told == "cc 4\n");
+}
+
 TEST_CASE("The iterator of pairs works with keys and tables of other walks") {
     CHECK(runCaged("local f, s = pairs({10, 20, x = 30}) tell(f(s)) tell(f(s, 2)) tell(f(s, 'x')) "
-                   "tell(f(s)) tell(f({y = 1})) tell(f({5, 6}, 1))")
-              .told == "1 10\nx 30\nnil\n1 10\ny 1\n2 6\n");
+                   "tell(f(s)) tell(f({y = 1})) tell(f({5, z = 6}, 1))")
+              .told == "1 10\nx 30\nnil\n1 10\ny 1\nz 6\n");
 }
 
 TEST_CASE("pairs honours __pairs and ignores __index; wrong arguments are errors") {

@@ -202,6 +202,8 @@ TEST_CASE("require finds modules in the scene's folder alone") {
          "made\n"},
         {"package.loaded.given = 5 tell(require 'given')", "5\n"},
         {"package.path = nil tell(require 'sub.inner')", "inner\n"},
+        {"for i = 1, 2 do local ok, why = pcall(require, 'fails') tell(why:match('no luck')) end",
+         "no luck\nno luck\n"},
         {"tell(pcall(require, 'one')) tell(pcall(require, 'one'))",
          "false one.lua\nfalse one.lua\n"},
     };
