@@ -8,6 +8,7 @@
 #include "rt/compile/trace_settings.h"
 #include "rt/core/error.h"
 #include "rt/core/parallel.h"
+#include "rt/core/text.h"
 #include "rt/output/atomic_file.h"
 #include "rt/output/image_writer.h"
 #include "rt/render/kernel_choice.h"
@@ -54,6 +55,14 @@ ImageSettings imageSettings(const RenderOptions& options) {
     settings.bits = options.bits.value_or(8);
     if (options.transfer.value_or("raw") == "srgb") settings.transfer = Transfer::kSrgb;
     return settings;
+}
+
+PixelImage imageOf(const Film& film, const Tile& area) {
+    PixelImage image{area.width(), area.height(), {}};
+    for (int y = area.y0; y < area.y1; ++y) {
+        for (int x = area.x0; x < area.x1; ++x) image.pixels.push_back(film.at(x, y).mean());
+    }
+    return image;
 }
 
 /// "name.partial.png", for an image that is not finished.
@@ -132,17 +141,23 @@ class Batch {
         const RenderScene scene = compiled(desc, index, options, diagnostics);
         const double buildSeconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        if (options_.crop && clipped(*options_.crop, scene.width, scene.height).second) {
+            diagnostics.warn("crop", desc.renders[index].where,
+                             "--crop reaches beyond the image and is clipped");
+        }
         if (options_.explain) progress_.message(explanation(scene));
         if (options_.check) return;
 
         const RenderOutcome outcome = rendered(scene, options);
         warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
         RenderStats stats = statsOf(scene, options, outcome);
+        warnIfNotConverged(stats, desc.renders[index], diagnostics);
         stats.scene = desc.name;
         stats.output = output;
         stats.buildSeconds = buildSeconds;
         stats.warnings = diagnostics.total();
-        save(outcome, outcome.cancelled ? partialName(output) : output, options, stats);
+        save(outcome, areaOf(scene), outcome.cancelled ? partialName(output) : output, options,
+             stats);
         stats_.push_back(std::move(stats));
         if (outcome.cancelled) throw Interrupted{};
     }
@@ -188,11 +203,15 @@ class Batch {
     }
 
     RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options) {
+        const SamplingGoal goal = samplingGoal(options);
         RenderJob job;
-        job.settings = traceSettings(options);
-        job.area = areaOf(scene);
+        job.settings = goal.trace;
+        job.errorTarget = goal.errorTarget;
+        job.adaptive = goal.adaptive;
+        // Towards an error target a pixel's samples depend on the whole image's error.
+        job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
         job.threads = threads_;
-        job.timeLimit = options.time.value_or(0.0);
+        job.timeLimit = goal.timeLimit;
         job.kernel = &kernel_;
         job.cancel = &Interrupts::requested();
         job.onProgress = [this](double share) { progress_.update(share); };
@@ -201,18 +220,17 @@ class Batch {
         return render(scene, job);
     }
 
-    Tile areaOf(const RenderScene& scene) {
-        if (!options_.crop) return {0, 0, scene.width, scene.height};
-        const auto [crop, cut] = clipped(*options_.crop, scene.width, scene.height);
-        if (cut) progress_.message("warning: --crop reaches beyond the image and is clipped");
+    static Tile wholeOf(const RenderScene& scene) { return {0, 0, scene.width, scene.height}; }
+
+    Tile areaOf(const RenderScene& scene) const {
+        if (!options_.crop) return wholeOf(scene);
+        const Crop crop = clipped(*options_.crop, scene.width, scene.height).first;
         return {crop.x0, crop.y0, crop.x1, crop.y1};
     }
 
-    void save(const RenderOutcome& outcome, const std::string& output, const RenderOptions& options,
-              const RenderStats& stats) {
-        PixelImage image{outcome.film.area.width(), outcome.film.area.height(), {}};
-        image.pixels.reserve(outcome.film.pixels.size());
-        for (const PixelState& pixel : outcome.film.pixels) image.pixels.push_back(pixel.mean());
+    void save(const RenderOutcome& outcome, const Tile& area, const std::string& output,
+              const RenderOptions& options, const RenderStats& stats) {
+        const PixelImage image = imageOf(outcome.film, area);
         ImageMetadata metadata;
         metadata.scene = stats.scene;
         metadata.seed = stats.seed;
@@ -230,12 +248,15 @@ class Batch {
     RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
                         const RenderOutcome& outcome) const {
         RenderStats stats;
-        stats.width = outcome.film.area.width();
-        stats.height = outcome.film.area.height();
+        stats.width = areaOf(scene).width();
+        stats.height = areaOf(scene).height();
         stats.threads = threads_;
         stats.seed = static_cast<std::uint64_t>(options.seed.value_or(0.0));
         countSamples(outcome.film, stats);
-        stats.converged = !outcome.cancelled && !outcome.outOfTime;
+        stats.converged = outcome.converged;
+        stats.errorEstimate = outcome.errorEstimate;
+        const double target = samplingGoal(options).errorTarget;
+        if (target > 0.0) stats.errorTarget = target;
         const SceneCounts counts = countsOf(scene);
         stats.triangles = counts.triangles;
         stats.primitives = counts.primitives;
@@ -262,6 +283,15 @@ class Batch {
             stats.sppMax = std::max(stats.sppMax, pixel.samples);
         }
         stats.sppMean = static_cast<double>(total) / static_cast<double>(film.pixels.size());
+    }
+
+    static void warnIfNotConverged(const RenderStats& stats, const RenderDesc& render,
+                                   Diagnostics& diagnostics) {
+        if (stats.converged || !stats.errorTarget || !stats.errorEstimate) return;
+        diagnostics.warn("not-converged", render.where,
+                         "the estimated error is " + shortest(*stats.errorEstimate) +
+                             ", more than the target of " + shortest(*stats.errorTarget) +
+                             " (see --max-spp)");
     }
 
     static void warnOfNonFinite(const TraceCounts& counts, const RenderDesc& render,

@@ -1,5 +1,7 @@
 #include "rt/compile/trace_settings.h"
 
+#include "rt/core/error.h"
+
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -29,11 +31,13 @@ Kind named(const std::pair<const char*, Kind> (&table)[N], const std::string& na
     throw std::logic_error("the option table let \"" + name + "\" through");
 }
 
-}  // namespace
+/// Points of these depend on how many there will be.
+bool needsKnownNumber(SamplerKind sampler) {
+    return sampler == SamplerKind::kJitter || sampler == SamplerKind::kGrid;
+}
 
 TraceSettings traceSettings(const RenderOptions& options) {
     TraceSettings settings;
-    settings.spp = options.spp.value_or(kDefaultSpp);
     settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
     settings.cutoff = options.cutoff.value_or(settings.cutoff);
     settings.seed = static_cast<std::uint64_t>(options.seed.value_or(0.0));
@@ -44,6 +48,27 @@ TraceSettings traceSettings(const RenderOptions& options) {
         settings.raysPerSample = std::numeric_limits<std::uint64_t>::max();
     }
     return settings;
+}
+
+}  // namespace
+
+SamplingGoal samplingGoal(const RenderOptions& options) {
+    SamplingGoal goal;
+    goal.trace = traceSettings(options);
+    goal.adaptive = !options.reference.value_or(false);
+    goal.timeLimit = options.time.value_or(0.0);
+    const bool fixed = needsKnownNumber(goal.trace.sampler);
+    if (options.error && fixed) {
+        throw UsageError("--error needs --sampler joint or random: the points of " +
+                         *options.sampler + " depend on how many there will be; give --spp");
+    }
+    if (options.spp || fixed) {
+        goal.trace.spp = options.spp.value_or(kDefaultSpp);
+        return goal;
+    }
+    goal.trace.spp = options.maxSpp.value_or(kDefaultMaxSpp);
+    if (options.error || !options.time) goal.errorTarget = options.error.value_or(kDefaultError);
+    return goal;
 }
 
 }  // namespace rt

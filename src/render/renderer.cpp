@@ -1,17 +1,23 @@
 #include "rt/render/renderer.h"
 
 #include "rt/core/parallel.h"
+#include "rt/render/adaptive.h"
 
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
+#include <numeric>
 
 namespace rt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Paths may be cut at this share of the error target: what is cut adds up over a path's branches.
+constexpr double kCutShare = 1.0 / 16;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -26,22 +32,12 @@ double processCpuSeconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// Samples [first, end) for every pixel.
-struct Pass {
-    int first;
-    int end;
-};
-
-/// One pass where nothing can interrupt; under a time limit, passes that double, so that all pixels
-/// stay about equally far.
-std::vector<Pass> passesOf(const RenderJob& job) {
-    const int spp = job.settings.spp;
-    if (!(job.timeLimit > 0.0)) return {{0, spp}};
-    std::vector<Pass> passes;
-    for (int first = 0, end = 1; first < spp; first = end, end = std::min(2 * end, spp)) {
-        passes.push_back({first, end});
+TraceSettings settingsFor(const RenderJob& job) {
+    TraceSettings settings = job.settings;
+    if (job.errorTarget > 0.0) {
+        settings.cutoff = std::min(settings.cutoff, kCutShare * job.errorTarget);
     }
-    return passes;
+    return settings;
 }
 
 /// The state that the threads of one render share.
@@ -50,15 +46,19 @@ class Run {
     Run(const RenderScene& scene, const RenderJob& job, Film& film)
         : scene_(scene),
           job_(job),
+          settings_(settingsFor(job)),
           film_(film),
           tiles_(tilesOf(job.area)),
           counts_(tiles_.size()) {}
 
-    void pass(const Pass& pass) {
+    /// Brings every pixel to its number of samples in `ends`, ordered as the film is. `from` and
+    /// `to` are the shares of the whole work before and after.
+    void pass(const std::vector<std::uint32_t>& ends, double from, double to) {
+        tilesDone_ = 0;
         forEachIndex(tiles_.size(), job_.threads, [&](std::size_t index, int) {
             if (stopped()) return;
-            renderTile(index, pass);
-            report(pass);
+            renderTile(index, ends);
+            report(from, to);
         });
     }
 
@@ -76,16 +76,27 @@ class Run {
         return total;
     }
 
+    /// The mean bound of what was cut, a sample.
+    double cutError() const {
+        const TraceCounts total = counts();
+        return total.cutBound / std::max(1.0, static_cast<double>(total.rays.camera));
+    }
+
   private:
-    void renderTile(std::size_t index, const Pass& pass) {
+    void renderTile(std::size_t index, const std::vector<std::uint32_t>& ends) {
         const Tile& tile = tiles_[index];
         std::vector<PixelState> pixels;
+        std::vector<std::uint32_t> tileEnds;
         pixels.reserve(static_cast<std::size_t>(tile.width() * tile.height()));
+        tileEnds.reserve(pixels.capacity());
         for (int y = tile.y0; y < tile.y1; ++y) {
-            const PixelState* row = &film_.at(tile.x0, y);
-            pixels.insert(pixels.end(), row, row + tile.width());
+            const auto row = static_cast<std::ptrdiff_t>(film_.offset(tile.x0, y));
+            const auto width = tile.width();
+            pixels.insert(pixels.end(), film_.pixels.begin() + row,
+                          film_.pixels.begin() + row + width);
+            tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + row + width);
         }
-        job_.kernel->renderTile(scene_, job_.settings, tile, pass.first, pass.end, pixels.data(),
+        job_.kernel->renderTile(scene_, settings_, tile, tileEnds.data(), pixels.data(),
                                 counts_[index]);
         const PixelState* done = pixels.data();
         for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
@@ -93,26 +104,77 @@ class Run {
         }
     }
 
-    void report(const Pass& pass) {
+    void report(double from, double to) {
         if (!job_.onProgress) return;
         const std::lock_guard lock(progressMutex_);
-        samplesDone_ += pass.end - pass.first;
-        const double all =
-            static_cast<double>(tiles_.size()) * static_cast<double>(job_.settings.spp);
-        double share = static_cast<double>(samplesDone_) / all;
+        ++tilesDone_;
+        const double done = static_cast<double>(tilesDone_) / static_cast<double>(tiles_.size());
+        double share = from + (to - from) * done;
         if (job_.timeLimit > 0.0) share = std::max(share, seconds() / job_.timeLimit);
         job_.onProgress(std::min(share, 1.0));
     }
 
     const RenderScene& scene_;
     const RenderJob& job_;
+    TraceSettings settings_;
     Film& film_;
     std::vector<Tile> tiles_;
     std::vector<TraceCounts> counts_;
     Clock::time_point start_ = Clock::now();
     std::mutex progressMutex_;
-    long long samplesDone_ = 0;
+    std::size_t tilesDone_ = 0;
 };
+
+std::vector<std::uint32_t> uniform(const Film& film, std::uint64_t samples) {
+    return std::vector<std::uint32_t>(film.pixels.size(), static_cast<std::uint32_t>(samples));
+}
+
+/// Exactly spp samples everywhere: in one pass where nothing can interrupt; under a time limit in
+/// passes that double, so that all pixels stay about equally far.
+bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
+    const int spp = job.settings.spp;
+    int done = 0;
+    while (done < spp && !run.stopped()) {
+        const int end = job.timeLimit > 0.0 ? std::min(std::max(2 * done, 1), spp) : spp;
+        run.pass(uniform(film, static_cast<std::uint64_t>(end)), 1.0 * done / spp, 1.0 * end / spp);
+        done = end;
+    }
+    return !run.stopped();
+}
+
+std::vector<std::uint32_t> twiceAsMany(const Film& film, std::uint64_t most) {
+    const std::uint64_t samples = film.pixels.empty() ? 0 : film.pixels.front().samples;
+    return uniform(film, 2 * samples <= most ? 2 * samples : samples);
+}
+
+/// Passes that double the samples where that helps most, until the estimate meets the target.
+bool renderAdaptive(Run& run, const RenderJob& job, const Film& film) {
+    AdaptiveGoal goal;
+    goal.maxSamples = static_cast<std::uint32_t>(job.settings.spp);
+    goal.firstSamples = std::min(goal.firstSamples, goal.maxSamples);
+    double share = 0.25;
+    run.pass(uniform(film, goal.firstSamples), 0.0, share);
+    while (!run.stopped()) {
+        const std::vector<double> errors = squaredErrors(film);
+        const double allowed = job.errorTarget - run.cutError();
+        if (rootMean(errors) <= allowed) return true;
+        goal.squaredTarget = std::max(allowed, 0.0) * std::max(allowed, 0.0);
+        const std::vector<std::uint32_t> ends =
+            job.adaptive ? nextSamples(film, errors, goal) : twiceAsMany(film, goal.maxSamples);
+        std::uint64_t more = 0;
+        for (std::size_t i = 0; i < ends.size(); ++i) more += ends[i] - film.pixels[i].samples;
+        if (more == 0) return false;
+        const double next = 0.5 * (1.0 + share);
+        run.pass(ends, share, next);
+        share = next;
+    }
+    return false;
+}
+
+bool hasHalves(const Film& film) {
+    return std::all_of(film.pixels.begin(), film.pixels.end(),
+                       [](const PixelState& pixel) { return pixel.samples >= 2; });
+}
 
 }  // namespace
 
@@ -131,16 +193,17 @@ void TraceCounts::add(const TraceCounts& other) {
 }
 
 RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
-    RenderOutcome outcome{Film(job.area), {}, 0.0, 0.0, false, false};
+    RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
     Run run(scene, job, outcome.film);
-    for (const Pass& pass : passesOf(job)) {
-        run.pass(pass);
-        if (run.stopped()) break;
-    }
+    outcome.converged = job.errorTarget > 0.0 ? renderAdaptive(run, job, outcome.film)
+                                              : renderUniform(run, job, outcome.film);
     outcome.counts = run.counts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
+    if (hasHalves(outcome.film)) {
+        outcome.errorEstimate = rootMean(squaredErrors(outcome.film)) + run.cutError();
+    }
     outcome.seconds = run.seconds();
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;

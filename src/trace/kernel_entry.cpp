@@ -18,8 +18,8 @@ namespace rt {
 namespace {
 
 void renderTile(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
-                int first, int end, PixelState* pixels, TraceCounts& counts) {
-    tileRendererFor(scene.features)(scene, settings, tile, first, end, pixels, counts);
+                const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts) {
+    tileRendererFor(scene.features)(scene, settings, tile, ends, pixels, counts);
 }
 
 bool closest(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit) {

@@ -299,22 +299,30 @@ MediumSet Tracer<Features>::mediaAt(const Vec3& point) {
 
 namespace {
 
+/// Brings one pixel to `end` samples, remembering its sum at half of them.
+template <unsigned Features>
+void renderPixel(Tracer<Features>& tracer, int x, int y, std::uint64_t end, PixelState& pixel,
+                 TraceCounts& counts) {
+    for (std::uint64_t index = pixel.samples; index < end; ++index) {
+        if (index == end / 2) pixel.half = pixel.sum;
+        const Color value = tracer.sample(x, y, static_cast<int>(index));
+        if (std::isfinite(value.x + value.y + value.z)) {
+            pixel.sum += value;
+        } else if (counts.nonFinite++ == 0) {
+            counts.nonFiniteX = x;
+            counts.nonFiniteY = y;
+        }
+        ++pixel.samples;
+    }
+}
+
 template <unsigned Features>
 void renderTileWith(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
-                    int first, int end, PixelState* pixels, TraceCounts& counts) {
+                    const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts) {
     Tracer<Features> tracer(scene, settings, counts);
     for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x, ++pixels) {
-            for (int index = first; index < end; ++index) {
-                const Color value = tracer.sample(x, y, index);
-                if (std::isfinite(value.x + value.y + value.z)) {
-                    pixels->sum += value;
-                } else if (counts.nonFinite++ == 0) {
-                    counts.nonFiniteX = x;
-                    counts.nonFiniteY = y;
-                }
-                ++pixels->samples;
-            }
+        for (int x = tile.x0; x < tile.x1; ++x, ++pixels, ++ends) {
+            renderPixel(tracer, x, y, *ends, *pixels, counts);
         }
     }
 }

@@ -5,8 +5,8 @@
 
 namespace rt {
 
-using TileRenderer = void (*)(const RenderScene&, const TraceSettings&, const Tile&, int first,
-                              int end, PixelState*, TraceCounts&);
+using TileRenderer = void (*)(const RenderScene&, const TraceSettings&, const Tile&,
+                              const std::uint32_t* ends, PixelState*, TraceCounts&);
 
 /// The leanest variant that renders scenes with these features.
 TileRenderer tileRendererFor(unsigned features);

@@ -47,7 +47,10 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
         compileScene(run.scene, settings.render, compileSettings, assets, diagnostics);
 
     RenderJob job;
-    job.settings = traceSettings(options);
+    const SamplingGoal goal = samplingGoal(options);
+    job.settings = goal.trace;
+    job.errorTarget = goal.errorTarget;
+    job.adaptive = goal.adaptive;
     job.area = {0, 0, scene.width, scene.height};
     job.threads = settings.threads;
     job.kernel = &chooseKernel(settings.kernel);

@@ -22,7 +22,6 @@ struct Film {
     Tile area;
     std::vector<PixelState> pixels;
 
-  private:
     std::size_t offset(int x, int y) const {
         return static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.width()) +
                static_cast<std::size_t>(x - area.x0);

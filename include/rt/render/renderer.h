@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 
 namespace rt {
 
@@ -13,7 +14,11 @@ struct RenderJob {
     TraceSettings settings;
     Tile area;  ///< of the image; what lies outside is not rendered
     int threads = 1;
-    double timeLimit = 0.0;  ///< seconds; 0 = until every pixel has settings.spp samples
+    double timeLimit = 0.0;  ///< seconds; 0 = none
+    /// Sample until the estimated RMSE of the area is at most this; 0 = exactly settings.spp
+    /// samples a pixel, and settings.spp is the most that a pixel gets otherwise.
+    double errorTarget = 0.0;
+    bool adaptive = true;  ///< towards an error target: more samples where they help most
     const TraceKernel* kernel = nullptr;
     const std::atomic<bool>* cancel = nullptr;
     /// Told the share of the work that is done, from the calling thread or a worker, one at a time.
@@ -21,16 +26,22 @@ struct RenderJob {
 };
 
 struct RenderOutcome {
+    explicit RenderOutcome(const Tile& area) : film(area) {}
+
     Film film;
     TraceCounts counts;
     double seconds = 0.0;
     double cpuSeconds = 0.0;
+    /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.
+    std::optional<double> errorEstimate;
     bool cancelled = false;
     bool outOfTime = false;
+    bool converged = false;  ///< all that was asked for was reached
 };
 
-/// The same film, to the bit, for any number of threads, any kernel and any area, unless it is
-/// cancelled or runs out of time: then some pixels have fewer samples, or none.
+/// The same film, to the bit, for any number of threads and any kernel, unless it is cancelled or
+/// runs out of time: then some pixels have fewer samples, or none. Without an error target a pixel
+/// does not depend on the area either.
 RenderOutcome render(const RenderScene& scene, const RenderJob& job);
 
 }  // namespace rt

@@ -4,7 +4,6 @@
 
 #include "rt/geometry/hit.h"
 #include "rt/sampling/sampler_kind.h"
-#include "rt/sampling/sampler_kind.h"
 #include "rt/trace/render_scene.h"
 
 #include <cstdint>
@@ -24,6 +23,7 @@ struct TraceSettings {
 /// What a pixel has gathered: plain data, the one thing that a checkpoint or a shard has to carry.
 struct PixelState {
     Color sum{0.0};
+    Color half{0.0};  ///< sum of the first samples / 2 of them
     std::uint64_t samples = 0;
 
     Color mean() const { return samples ? sum / static_cast<double>(samples) : Color(0.0); }
@@ -68,10 +68,10 @@ struct SceneHit {
 struct TraceKernel {
     const char* name;
 
-    /// Adds samples [first, end) of every pixel of `tile` to `pixels`, row-major, tile.width()
-    /// wide.
+    /// Adds to each pixel of `tile` the samples that it lacks of its number in `ends`. `pixels` and
+    /// `ends` are row-major, tile.width() wide.
     void (*renderTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
-                       int first, int end, PixelState* pixels, TraceCounts& counts);
+                       const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts);
 
     /// The nearest hit; of surfaces that coincide, the one of the lowest instance.
     bool (*closestHit)(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit);
