@@ -10,6 +10,8 @@ namespace rt {
 namespace {
 
 constexpr double kSquareRootOf3 = 1.7320508075688774;
+/// A float's rounding of a tail that is at most a double's rounding, four times over.
+constexpr double kTailRoundoff = 0x1p-24 * kUnitRoundoff * 4;
 
 /// An unevaluated sum of two doubles, about 106 bits.
 struct Long {
@@ -32,10 +34,10 @@ Long operator*(const Long& a, double b) {
     return normalised(high.value, std::fma(a.low, b, high.error));
 }
 
-double quotient(const Long& a, const Long& b) {
+Long quotient(const Long& a, const Long& b) {
     const double rough = a.high / b.high;
     const double rest = std::fma(-rough, b.high, a.high) + (a.low - rough * b.low);
-    return rough + rest / b.high;
+    return normalised(rough, rest / b.high);
 }
 
 /// a b - c d
@@ -101,6 +103,27 @@ double absoluteRowSum(const Mat3& a, const Mat3& b) {
     return most;
 }
 
+/// A vector and what its rounding left out.
+struct LongVec {
+    Vec3 high;
+    Vec3 low;
+};
+
+/// (a, b, c) . v in twice the precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J.
+/// Sci. Comput. 26, 2005), rounded once, near enough. The tails are relative to a, b and c.
+inline double longDot(double a, double b, double c, double aTail, double bTail, double cTail,
+                      const LongVec& v) {
+    const TwoTerms ax = exactProduct(a, v.high.x);
+    const TwoTerms by = exactProduct(b, v.high.y);
+    const TwoTerms cz = exactProduct(c, v.high.z);
+    const TwoTerms first = exactSum(ax.value, by.value);
+    const TwoTerms all = exactSum(first.value, cz.value);
+    const double ofRow = aTail * ax.value + bTail * by.value + cTail * cz.value;
+    const double ofVector = a * v.low.x + b * v.low.y + c * v.low.z;
+    const double ofRounding = (ax.error + by.error + cz.error) + (first.error + all.error);
+    return all.value + (ofRow + ofVector + ofRounding);
+}
+
 /// Bound on the length of the image of a unit vector: the root of the largest row sum times the
 /// largest column sum (Higham 2002, section 6.3), exact for scales along the axes.
 double longestImage(const Mat3& m) {
@@ -113,43 +136,10 @@ double longestImage(const Mat3& m) {
     return std::sqrt(row) * std::sqrt(column) * (1.0 + gamma(8));
 }
 
-Vec3 product(const Mat3& m, const Vec3& v) {
-    return Vec3(m[0].x * v.x + m[1].x * v.y + m[2].x * v.z,
-                m[0].y * v.x + m[1].y * v.y + m[2].y * v.z,
-                m[0].z * v.x + m[1].z * v.y + m[2].z * v.z);
-}
-
-Mat3 transposed(const Mat3& m) {
-    return Mat3(m[0].x, m[1].x, m[2].x, m[0].y, m[1].y, m[2].y, m[0].z, m[1].z, m[2].z);
-}
-
-/// w + wError - row . x in twice the precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product,
-/// SIAM J. Sci. Comput. 26, 2005).
-double residual(double w, double wError, double rowX, double rowY, double rowZ, const Vec3& x) {
-    const TwoTerms a = exactProduct(-rowX, x.x);
-    const TwoTerms b = exactProduct(-rowY, x.y);
-    const TwoTerms c = exactProduct(-rowZ, x.z);
-    const TwoTerms first = exactSum(w, a.value);
-    const TwoTerms second = exactSum(first.value, b.value);
-    const TwoTerms third = exactSum(second.value, c.value);
-    return third.value + ((wError + (a.error + first.error)) + (b.error + second.error) +
-                          (c.error + third.error));
-}
-
-/// One step of iterative refinement of `map` x = w + wError (Higham 2002, chapter 12): the terms of
-/// inverse w cancel where turns lie on both sides of uneven scales, and the step mends that.
-Vec3 refined(const Mat3& map, const Mat3& inverse, const Vec3& w, const Vec3& wError,
-             const Vec3& x) {
-    const Vec3 rest(residual(w.x, wError.x, map[0].x, map[1].x, map[2].x, x),
-                    residual(w.y, wError.y, map[0].y, map[1].y, map[2].y, x),
-                    residual(w.z, wError.z, map[0].z, map[1].z, map[2].z, x));
-    const Vec3 step = product(inverse, rest);
-    return Vec3(x.x + step.x, x.y + step.y, x.z + step.z);
-}
-
 /// The adjugate over the determinant, in twice the precision: the entries are then right to about
-/// a rounding even where scales of 1e-6 and 1e6 lie between turns. False where singular.
-bool invert(const Mat3& m, Mat3& inverse, double& determinantSign) {
+/// a rounding even where scales of 1e-6 and 1e6 lie between turns. `tails` is what that rounding
+/// left out, relative to each entry. False where singular.
+bool invert(const Mat3& m, Mat3& inverse, Mat3& tails, double& determinantSign) {
     Equilibrated even;
     if (!equilibrate(m, even)) return false;
     const Mat3& e = even.matrix;
@@ -169,7 +159,9 @@ bool invert(const Mat3& m, Mat3& inverse, double& determinantSign) {
     Mat3 evenInverse;
     for (int c = 0; c < 3; ++c) {
         for (int r = 0; r < 3; ++r) {
-            evenInverse[r][c] = quotient(cofactor[c][r], determinant);
+            const Long entry = quotient(cofactor[c][r], determinant);
+            evenInverse[r][c] = entry.high;
+            tails[r][c] = entry.high != 0.0 ? entry.low / entry.high : 0.0;
             inverse[r][c] = std::ldexp(evenInverse[r][c], -even.row[r] - even.column[c]);
         }
     }
@@ -220,17 +212,19 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
     made.toWorld_ = toWorld;
     if (!toWorld.isIdentity()) {
         double determinantSign = 0.0;
-        if (!invert(toWorld.linear, made.toObject_.linear, determinantSign)) return false;
+        Mat3 tails;
+        if (!invert(toWorld.linear, made.toObject_.linear, tails, determinantSign)) return false;
+        for (int c = 0; c < 3; ++c) {
+            made.tails_[static_cast<std::size_t>(c)] = {static_cast<float>(tails[c].x),
+                                                        static_cast<float>(tails[c].y),
+                                                        static_cast<float>(tails[c].z)};
+        }
         made.toObject_.translation = -made.toObject_.vector(toWorld.translation);
         if (!made.toObject_.isFinite()) return false;
         made.stretch_ = longestImage(toWorld.linear);
-        made.even_ = absoluteRowSum(made.toObject_.linear, toWorld.linear) <= kEvenCondition;
-        made.evenNormals_ = absoluteRowSum(transposed(made.toObject_.linear),
-                                           transposed(toWorld.linear)) <= kEvenCondition;
-        // The inverse's entry, a difference, a product and two sums, carried back to the world; the
-        // refined way squares them, and rounds once.
-        const double plain = gamma(7) * absoluteRowSum(toWorld.linear, made.toObject_.linear);
-        made.wayBack_ = made.even_ ? plain : gamma(2) + plain * plain;
+        // Coming back is rounded once, and the tails as floats.
+        made.wayBack_ =
+            gamma(2) + kTailRoundoff * absoluteRowSum(toWorld.linear, made.toObject_.linear);
         made.identity_ = false;
         made.flips_ = determinantSign < 0.0;
     }
@@ -240,29 +234,35 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
 
 Ray Transform::toObject(const Ray& world) const {
     if (identity_) return world;
-    const Mat3& inverse = toObject_.linear;
-    // Taking the translation off first loses less than adding the inverse's own translation.
+    const Mat3& m = toObject_.linear;
+    const Tail& tx = tails_[0];
+    const Tail& ty = tails_[1];
+    const Tail& tz = tails_[2];
+    const auto solve = [&](const LongVec& v) {
+        return Vec3(longDot(m[0].x, m[1].x, m[2].x, tx.x, ty.x, tz.x, v),
+                    longDot(m[0].y, m[1].y, m[2].y, tx.y, ty.y, tz.y, v),
+                    longDot(m[0].z, m[1].z, m[2].z, tx.z, ty.z, tz.z, v));
+    };
+    // Taking the translation off first loses nothing; the inverse's own translation is rounded.
     const TwoTerms x = exactDifference(world.origin.x, toWorld_.translation.x);
     const TwoTerms y = exactDifference(world.origin.y, toWorld_.translation.y);
     const TwoTerms z = exactDifference(world.origin.z, toWorld_.translation.z);
-    const Vec3 offset(x.value, y.value, z.value);
-    const Ray object{product(inverse, offset), product(inverse, world.direction)};
-    if (even_) return object;
-    const Mat3& map = toWorld_.linear;
-    return {refined(map, inverse, offset, Vec3(x.error, y.error, z.error), object.origin),
-            refined(map, inverse, world.direction, Vec3(0.0), object.direction)};
+    return {solve({Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error)}),
+            solve({world.direction, Vec3(0.0)})};
 }
 
 Vec3 Transform::normalToWorld(const Vec3& normal) const {
     // Brought near 1 before each use of squares or products: lengths may be 1e-150 or 1e150.
     Vec3 n = normal / largest(normal.x, normal.y, normal.z);
     if (!identity_) {
-        const Mat3 inverse = transposed(toObject_.linear);
-        Vec3 turned = product(inverse, n);
-        if (!evenNormals_) {
-            turned = refined(transposed(toWorld_.linear), inverse, n, Vec3(0.0), turned);
-        }
-        n = turned / largest(turned.x, turned.y, turned.z);
+        const Mat3& m = toObject_.linear;
+        const LongVec exact{n, Vec3(0.0)};
+        const auto column = [&](int c) {
+            const Tail& tail = tails_[static_cast<std::size_t>(c)];
+            return longDot(m[c].x, m[c].y, m[c].z, tail.x, tail.y, tail.z, exact);
+        };
+        n = Vec3(column(0), column(1), column(2));
+        n /= largest(n.x, n.y, n.z);
     }
     return n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
 }

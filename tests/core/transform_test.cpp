@@ -209,7 +209,7 @@ TEST_CASE("the inverse is right to a rounding or two, whatever lies between the 
     }
 }
 
-TEST_CASE("a ray in object space is off by a few roundings of itself") {
+TEST_CASE("a ray in object space is off by a rounding of itself") {
     for (unsigned seed = 1; seed <= kMaps; ++seed) {
         CAPTURE(seed);
         Draws draws(seed);
@@ -226,7 +226,7 @@ TEST_CASE("a ray in object space is off by a few roundings of itself") {
         const QuadVec origin = exactSolution(map.linear, fromTranslation);
         const QuadVec direction =
             exactSolution(map.linear, {{world.direction.x, world.direction.y, world.direction.z}});
-        const double roundings = 16.0 * kUnitRoundoff;
+        const double roundings = 2.0 * kUnitRoundoff;
         CHECK(furthest(object.origin, origin) <= roundings * largest(object.origin));
         CHECK(furthest(object.direction, direction) <= roundings * largest(object.direction));
     }
@@ -337,5 +337,5 @@ TEST_CASE("the bounds of an image contain every mapped point, and are no wider t
 }
 
 TEST_CASE("a transform stays small: a scene may hold a million") {
-    CHECK(sizeof(Transform) <= 2 * sizeof(Affine) + 3 * sizeof(double));
+    CHECK(sizeof(Transform) <= 2 * sizeof(Affine) + 8 * sizeof(double));
 }

@@ -139,8 +139,4 @@ inline constexpr double kTorusPointError = gamma(7);
 /// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.2).
 inline constexpr double kLargestCondition = 1.0 / (16 * kUnitRoundoff);
 
-/// Up to this condition, the terms of inverse times vector do not cancel to speak of, and their
-/// roundings stay a few of the result: a turn and a uniform scale have at most 3.
-inline constexpr double kEvenCondition = 4.0;
-
 }  // namespace rt

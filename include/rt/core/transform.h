@@ -5,6 +5,8 @@
 #include "rt/core/ray.h"
 #include "rt/core/vec.h"
 
+#include <array>
+
 namespace rt {
 
 /// p -> linear p + translation. `linear` is column-major, as GLM's matrices are.
@@ -42,8 +44,8 @@ class Transform {
     /// A mirroring map, of negative determinant.
     bool flips() const { return flips_; }
 
-    /// The ray in object space; t means the same point on both. Off by a few roundings of the
-    /// result, for maps of condition up to 1e8.
+    /// The ray in object space; t means the same point on both. Off by about a rounding of the
+    /// result, for maps of condition up to 2^24.
     Ray toObject(const Ray& world) const;
     /// An object-space normal, of any length but zero, as a unit normal of the world: by the
     /// inverse transpose, so that the outside stays the outside under a mirroring map too.
@@ -57,16 +59,21 @@ class Transform {
     double errorToWorld(const Vec3& objectPoint, double objectError) const;
 
   private:
+    struct Tail {
+        float x = 0.0F;
+        float y = 0.0F;
+        float z = 0.0F;
+    };
+
     Affine toWorld_;
     Affine toObject_;
+    /// What the rounding of the inverse's entries left out, relative to each.
+    std::array<Tail, 3> tails_{};
     /// What the way to object space and back is off by, relative to |linear| |object point|.
     double wayBack_ = 0.0;
     /// Bound on the length of the image of a vector of length 1.
     double stretch_ = 1.0;
     bool identity_ = true;
-    /// Turns and scales that do not make the roundings of `toObject` grow.
-    bool even_ = true;
-    bool evenNormals_ = true;  ///< the same for normals, which the transpose carries
     bool flips_ = false;
 };
 
