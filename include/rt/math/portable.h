@@ -28,8 +28,8 @@ SinCos sincos(double x);
 /// 1.0 ulp.
 double tan(double x);
 
-/// Angles in degrees, 0.85 ulp for |x| >= 1e-290. Exact at multiples of 30 whose result is rational:
-/// 0 (sine's with the sign of x, cosine's positive), +-1/2, +-1.
+/// Angles in degrees, 0.85 ulp for |x| >= 1e-290. Exact at multiples of 30 whose result is
+/// rational: 0 (sine's with the sign of x, cosine's positive), +-1/2, +-1.
 double sinDegrees(double x);
 double cosDegrees(double x);
 
