@@ -101,11 +101,9 @@ bool Arguments::boolean(int slot, Label label) const {
 }
 
 std::string Arguments::text(int slot, Label label) const {
-    if (lua_type(L_, slot) == LUA_TNUMBER) return numberText(lua_tonumber(L_, slot));
-    if (lua_type(L_, slot) != LUA_TSTRING) wrong(slot, label, "a string");
-    std::size_t size = 0;
-    const char* bytes = lua_tolstring(L_, slot, &size);
-    return std::string(bytes, size);
+    std::optional<std::string> value = toText(L_, slot);
+    if (!value) wrong(slot, label, "a string");
+    return *std::move(value);
 }
 
 void Arguments::requireTable(int slot, Label label, const char* wanted) const {

@@ -87,7 +87,7 @@ void SceneBuilder::charge(std::size_t bytes) {
 }
 
 ObjectRef SceneBuilder::addNode(const std::string& name, Index geometry) {
-    charge(sizeof(NodeDesc) + sizeof(NodeState) + name.size());
+    charge(sizeof(NodeDesc) + sizeof(NodeState) + name.size() + where_.file.size());
     const bool fresh = nodeNames_.insert(std::hash<std::string>()(name)).second;
     if (!fresh && !name.empty()) {
         warnOnce("duplicate-name", "another node is called '" + printable(name, 64) + "' too");
@@ -97,7 +97,7 @@ ObjectRef SceneBuilder::addNode(const std::string& name, Index geometry) {
 }
 
 Index SceneBuilder::addGeometry(GeometryShape shape) {
-    charge(bytesOf(shape));
+    charge(bytesOf(shape) + where_.file.size());
     return append(scene_.geometries, GeometryDesc{std::move(shape), where_});
 }
 

@@ -1,12 +1,32 @@
 #include "rt/script/scene_script.h"
 
 #include "gr_library.h"
+#include "lua_access.h"
 #include "sandbox.h"
 #include "scene_builder.h"
 
 #include <algorithm>
 
 namespace rt {
+
+namespace {
+
+/// The global `arg`, as Lua's own interpreter sets it: the script at 0, its arguments from 1.
+void setArguments(lua_State* L, const std::string& script,
+                  const std::vector<std::string>& arguments) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, LUA_RIDX_GLOBALS);
+    const int globals = lua_gettop(L);
+    lua_newtable(L);
+    pushText(L, script);
+    lua_rawseti(L, -2, 0);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        pushText(L, arguments[i]);
+        lua_rawseti(L, -2, static_cast<lua_Integer>(i) + 1);
+    }
+    assignField(L, globals, "arg");
+}
+
+}  // namespace
 
 ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
                        Diagnostics& diagnostics) {
@@ -17,6 +37,7 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
         LuaState lua({settings.memoryLimit, settings.timeLimit});
         openSandbox(lua, {folder, settings.trust, settings.printToStderr});
         openGr(lua, builder);
+        lua.protect([&](lua_State* L) { setArguments(L, path, settings.arguments); });
         lua.runFile(path, settings.arguments);
         read = filesRead(lua.get());
     }

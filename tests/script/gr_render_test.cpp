@@ -257,3 +257,13 @@ TEST_CASE("the frame and its time are fields of gr") {
               .error == "");
     CHECK(runScene("assert(gr.frame == 1 and gr.time == 0)").error == "");
 }
+
+TEST_CASE("the script's arguments are in arg and in its dots") {
+    ScriptSettings settings;
+    settings.arguments = {"one", "two words"};
+    CHECK(runScene("assert(#arg == 2 and arg[1] == 'one' and arg[2] == 'two words')\n"
+                   "assert(arg[0]:find('scene.lua', 1, true) and select(2, ...) == 'two words')",
+                   settings)
+              .error == "");
+    CHECK(runScene("assert(#arg == 0)").error == "");
+}
