@@ -94,7 +94,7 @@ local function link_program()
   for _, name in ipairs(WRAPPED) do wrap[#wrap + 1] = "-Wl,--wrap=" .. name end
   linkoptions {
     "-pthread",
-    table.concat(wrap, " "),
+    "-Wl,-u,__wrap_sin " .. table.concat(wrap, " "),
     "-Wl,--start-group " .. table.concat(group, " ") .. " -Wl,--end-group",
     "-l:liblua5.3.a -llodepng -lz -ldl -lm",
   }
