@@ -46,31 +46,47 @@ inline InsideSpan insideUpperHalf(const FootRay& near, double k) {
     return {{-kInfinity, kSide}, {std::min(s1, s2), kSide}};
 }
 
-inline bool meet(const FootRay& near, const Crossing& at, double height, Interval range,
+/// A Newton step from s on the side, whose equation is far better conditioned at the point itself,
+/// near the apex above all, than in coefficients. None where the ray grazes: there the
+/// discriminant knows better, and the step is not small.
+inline double refined(const FootRay& near, double s, const ConeShape& cone) {
+    const double k = cone.slope;
+    const Vec3& d = near.direction;
+    const Vec3 p = along(near, s);
+    const double ky = k * p.y;
+    const double value = differenceOfProducts(p.x, p.x, ky, ky) + p.z * p.z;
+    const double halfSlope = p.x * d.x + p.z * d.z - ky * (k * d.y);
+    const double step = 0.5 * value / halfSlope;
+    const double reach = kNewtonReach * cone.height;
+    return step * step <= reach * reach * near.inverseSquare ? s - step : s;
+}
+
+inline bool meet(const FootRay& near, const Crossing& at, const ConeShape& cone, Interval range,
                  PrimitiveHit& hit) {
-    const double t = near.tFoot + at.s;
+    if (!(std::fabs(at.s) < kInfinity)) return false;
+    const double s = at.part == kSide ? refined(near, at.s, cone) : at.s;
+    const double t = near.tFoot + s;
     if (!range.contains(t)) return false;
     hit.t = t;
-    hit.local = along(near, at.s);
-    if (at.part == kCap) hit.local.y = height;
+    hit.local = along(near, s);
+    if (at.part == kCap) hit.local.y = cone.height;
     hit.part = at.part;
     return true;
 }
 
-[[gnu::always_inline]] inline bool cross(const Vec3& apex, double height, double slope,
-                                         const Ray& ray, Interval range, PrimitiveHit& hit) {
-    const FootRay near = footRay(ray, apex, Vec3(0.0, 0.5 * height, 0.0));
-    InsideSpan inside = insideUpperHalf(near, slope);
+[[gnu::always_inline]] inline bool cross(const Vec3& apex, const ConeShape& cone, const Ray& ray,
+                                         Interval range, PrimitiveHit& hit) {
+    const FootRay near = footRay(ray, apex, Vec3(0.0, 0.5 * cone.height, 0.0));
+    InsideSpan inside = insideUpperHalf(near, cone.slope);
     const double inverse = 1.0 / near.direction.y;
-    const double toCap = (height - near.foot.y) * inverse;
+    const double toCap = (cone.height - near.foot.y) * inverse;
     if (inverse >= 0.0) {
         inside.leaveAt(toCap, kCap);
     } else {
         inside.enterAt(toCap, kCap);
     }
     if (inside.isEmpty()) return false;
-    return meet(near, inside.entry, height, range, hit) ||
-           meet(near, inside.exit, height, range, hit);
+    return meet(near, inside.entry, cone, range, hit) || meet(near, inside.exit, cone, range, hit);
 }
 
 }  // namespace
@@ -94,13 +110,13 @@ Bounds Cone::bounds() const {
 
 bool Cone::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
     if (isOrdinary(height_ + radius_, ray.direction)) [[likely]] {
-        return cross(apex_, height_, slope_, ray, range, hit);
+        return cross(apex_, {height_, slope_}, ray, range, hit);
     }
     return intersectRescaled(
         std::max(height_, radius_), ray, range, hit,
         [&](int exponent, const Ray& scaled, Interval scaledRange, PrimitiveHit& found) {
-            return cross(scaleByPowerOfTwo(apex_, exponent), std::ldexp(height_, exponent), slope_,
-                         scaled, scaledRange, found);
+            return cross(scaleByPowerOfTwo(apex_, exponent),
+                         {std::ldexp(height_, exponent), slope_}, scaled, scaledRange, found);
         });
 }
 
