@@ -262,7 +262,8 @@ double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet
 }
 
 /// What one crossing lets through of light that goes straight on: (1 - F), and (1 - f) of every
-/// object that is entered.
+/// object that the light enters. It comes along the ray backwards, so it enters what the ray
+/// leaves.
 template <unsigned Features>
 double Tracer<Features>::transmitted(const Vec3& direction, const SceneHit& hit,
                                      const ShadePoint& point, const MediumSet& media,
@@ -272,7 +273,7 @@ double Tracer<Features>::transmitted(const Vec3& direction, const SceneHit& hit,
     const double cosine = std::min(std::fabs(glm::dot(direction, point.normal)), 1.0);
     double share = 1.0 - fresnelFromThinSide(cosine, from, to);
     for (const SceneHit& crossing : together_) {
-        if (isEntered(crossing.instance, media)) {
+        if (isEntered(crossing.instance, beyond)) {
             share *= 1.0 - lookOf(crossing.instance).refractionOwnWeight;
         }
     }
