@@ -35,10 +35,14 @@ Interrupts::~Interrupts() {
     handleWith(SIG_DFL);
 }
 
-Interrupts::Deferred::Deferred() { deferring.store(true); }
+Interrupts::Deferred::Deferred() {
+    deferring.store(true);
+}
 
 /// What has been asked for stays deferred until the image is saved.
-Interrupts::Deferred::~Deferred() { deferring.store(requestedFlag.load()); }
+Interrupts::Deferred::~Deferred() {
+    deferring.store(requestedFlag.load());
+}
 
 const std::atomic<bool>& Interrupts::requested() {
     return requestedFlag;

@@ -5,8 +5,8 @@
 
 namespace rt {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP leave at once with 128 + their number, unless there is
-/// an image to save: then the first only sets a flag, and the second leaves.
+/// While one lives, SIGINT, SIGTERM and SIGHUP leave at once with 128 + their number, unless there
+/// is an image to save: then the first only sets a flag, and the second leaves.
 class Interrupts {
   public:
     Interrupts();

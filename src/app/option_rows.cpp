@@ -39,8 +39,6 @@ void addOutputRows(Rows& rows) {
     rows.push_back(
         {kOutput, "--frames", "A-B", "render an animation's frames A to B",
          [](Options& o, const std::string& v) { o.frames = framesFrom("--frames", v); }});
-    rows.push_back({kOutput, "--shard", "i/n", "render part i of n of the image",
-                    [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});
     rows.push_back({kOutput, "--stats", "FILE", "write statistics as JSON",
                     [](Options& o, const std::string& v) {
                         if (v.empty()) throw UsageError("--stats: the name of the file is empty");

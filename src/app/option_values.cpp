@@ -11,7 +11,6 @@ namespace rt {
 namespace {
 
 constexpr int kMostSide = 0x7fffffff;
-constexpr int kMostShards = 1'000'000;
 constexpr std::size_t kLeastScriptMemory = std::size_t{1} << 20;
 
 /// The parts of a text between separators; "a,,b" has three.
@@ -123,14 +122,6 @@ FrameRange framesFrom(const std::string& flag, const std::string& text) {
                          " frames in one run; ask for them in parts");
     }
     return {ends[0], ends[1]};
-}
-
-Shard shardFrom(const std::string& flag, const std::string& text) {
-    const std::vector<std::int64_t> parts = wholes(split(text, '/'), 1, kMostShards);
-    if (parts.size() != 2 || parts[0] > parts[1]) {
-        refuseValue(flag, text, "must be i/n with whole numbers 1 <= i <= n, such as 1/4");
-    }
-    return {static_cast<int>(parts[0]), static_cast<int>(parts[1])};
 }
 
 std::pair<std::string, std::string> parameterFrom(const std::string& flag,

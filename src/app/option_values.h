@@ -20,8 +20,6 @@ ImageSize sizeFrom(const std::string& flag, const std::string& text);
 Crop cropFrom(const std::string& flag, const std::string& text);
 /// A-B, or A alone.
 FrameRange framesFrom(const std::string& flag, const std::string& text);
-/// i/n.
-Shard shardFrom(const std::string& flag, const std::string& text);
 /// name=value.
 std::pair<std::string, std::string> parameterFrom(const std::string& flag, const std::string& text);
 /// One of the words.

@@ -65,8 +65,9 @@ PixelImage imageOf(const Film& film, const Tile& area) {
     return image;
 }
 
-/// "name.partial.png", for an image that is not finished.
+/// "name.partial.png", for an image that is not finished; a stream stays what it is.
 std::string partialName(const std::string& name) {
+    if (isStream(name)) return name;
     const std::size_t dot = name.rfind('.');
     const std::size_t slash = name.rfind('/');
     if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) {
@@ -113,6 +114,7 @@ class Batch {
             progress_.abandon();
             report(diagnostics);
             progress_.message(error.shown());
+            if (options_.verbose && !error.details().empty()) progress_.message(error.details());
             return static_cast<int>(error.code());
         }
         report(diagnostics);

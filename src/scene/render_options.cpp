@@ -103,7 +103,6 @@ std::vector<OptionRow> makeTable() {
         choice<&O::transfer>("transfer", "curve between image values and PNG values",
                              {"raw", "srgb"}),
         flag<&O::flipV>("flip-v", "v = 0 at the top of images"),
-        flag<&O::caustics>("caustics", "light through refracting objects by photons"),
     };
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 namespace rt {
-
 namespace {
 
 /// The global `arg`, as Lua's own interpreter sets it: the script at 0, its arguments from 1.
@@ -38,7 +37,12 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
         openSandbox(lua, {folder, settings.trust, settings.printToStderr});
         openGr(lua, builder);
         lua.protect([&](lua_State* L) { setArguments(L, path, settings.arguments); });
-        lua.runFile(path, settings.arguments);
+        try {
+            lua.runFile(path, settings.arguments);
+        } catch (Error& error) {
+            error.attach(lua.traceback());
+            throw;
+        }
         read = filesRead(lua.get());
     }
     ScriptResult result = builder.finish();

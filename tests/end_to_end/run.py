@@ -313,6 +313,14 @@ class Failures(EndToEnd):
                     self.assertIn(fragment, text)
                 self.assertFalse(os.path.exists(os.path.join(self.folder, "..", "ball.png")))
 
+    def test_verbose_shows_the_stack(self):
+        self.write("scene.lua", "local function inner() error('no') end\nlocal function outer() inner() end\nouter()")
+        quiet = self.run_project("scene.lua", code=1)
+        self.assertNotIn(b"traceback", quiet.stderr)
+        verbose = self.run_project("scene.lua", "-v", code=1)
+        self.assertIn(b"traceback", verbose.stderr)
+        self.assertIn(b"scene.lua:2", verbose.stderr)
+
     def test_one_bad_scene_does_not_stop_the_others(self):
         self.write("bad.lua", "x = = 1")
         self.write("good.lua", BALL)

@@ -54,7 +54,7 @@ TEST_CASE("the rows have names of their own and cover every field") {
     for (const OptionRow& one : optionTable()) names.insert(one.name);
     CHECK(names == std::set<std::string>{"spp", "error", "time", "max-spp", "reference", "sampler",
                                          "filter", "seed", "max-depth", "cutoff", "smooth-angle",
-                                         "bits", "transfer", "flip-v", "caustics"});
+                                         "bits", "transfer", "flip-v"});
 }
 
 TEST_CASE("values at the ends of a range fit, those beyond do not") {

@@ -99,14 +99,13 @@ TEST_CASE("every option of the table is known by its name with underscores") {
     const ScriptRun run = runScene(kGo + R"(
         gr.options{error = '0.01', time = 10, max_spp = 64, reference = true, sampler = 'grid',
                    filter = 'blackman-harris', seed = 7, max_depth = 0, cutoff = 0,
-                   smooth_angle = 180, bits = 16, transfer = 'srgb', flip_v = true, caustics = false}
+                   smooth_angle = 180, bits = 16, transfer = 'srgb', flip_v = true}
         go(gr.node('n')))");
     REQUIRE(run.error == "");
     const RenderOptions& options = run.scene().renders.at(0).options;
     CHECK(options.error == 0.01);
     CHECK(options.bits == 16);
     CHECK(options.flipV == true);
-    CHECK(options.caustics == false);
     CHECK(options.sampler == "grid");
     for (const OptionRow& row : optionTable()) {
         CAPTURE(row.name);

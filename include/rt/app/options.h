@@ -37,12 +37,6 @@ struct FrameRange {
     std::int64_t last = 1;
 };
 
-/// Part `index` of `count`, 1 <= index <= count.
-struct Shard {
-    int index = 1;
-    int count = 1;
-};
-
 /// `compare A B`.
 struct CompareOptions {
     std::string first;
@@ -63,7 +57,6 @@ struct Options {
     std::optional<ImageSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
-    std::optional<Shard> shard;
     std::optional<std::string> stats;  ///< file
 
     int threads = 0;                 ///< 0: as many as this process may use

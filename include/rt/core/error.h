@@ -42,10 +42,15 @@ class Error : public std::runtime_error {
     /// As it is shown to the user: "scene.lua:12: error: what was wrong".
     std::string shown() const { return prefix_ + "error: " + message_; }
 
+    /// What --verbose adds: where a script was when it failed.
+    const std::string& details() const { return details_; }
+    void attach(const std::string& details) { details_ = details; }
+
   private:
     ExitCode code_;
     std::string prefix_;
     std::string message_;
+    std::string details_;
 };
 
 /// The script, one of its calls, or an asset is wrong.

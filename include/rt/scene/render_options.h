@@ -28,7 +28,6 @@ struct RenderOptions {
     std::optional<int> bits;              ///< of a PNG's channel: 8, 16
     std::optional<std::string> transfer;  ///< raw, srgb
     std::optional<bool> flipV;            ///< v = 0 at the top of images
-    std::optional<bool> caustics;         ///< kept for scenes that ask for it
 
     /// `this` where it says something, else `weaker`; any of spp, error, time here
     /// discards all three of `weaker`.
