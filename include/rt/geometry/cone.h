@@ -4,7 +4,7 @@
 // The part of the ray inside the upper half of the double cone, cut by the plane of the cap. With f
 // the ray's foot relative to the apex, d its direction and m = f x d, the discriminant of the
 // quadratic is k^2 (mx^2 + mz^2) - my^2 with k = r/h: differences that are formed once, without
-// cancellation, instead of from coefficients.
+// cancellation, instead of from coefficients. A Newton step at the point itself follows.
 //
 // Texture: the side as seen from outside, upright: u = 1/2 + a / 2 pi with a = atan2(x, z) the
 // angle from +z towards +x, so that the image's middle column faces +z and its edges meet at -z; v
