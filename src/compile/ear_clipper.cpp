@@ -42,19 +42,6 @@ bool EarClipper::isEar(Index i) {
     return !reflexTree_.anyIn({points_[previous_[i]], points_[i], points_[next_[i]]});
 }
 
-/// Where nothing is an ear: a corner whose triangle has no area, else one that turns left.
-Index EarClipper::leastHarm(Index start) const {
-    Index convex = start;
-    Index i = start;
-    do {
-        const double turn = turnAt(i);
-        if (turn == 0.0) return i;
-        if (turn > 0.0) convex = i;
-        i = next_[i];
-    } while (i != start);
-    return convex;
-}
-
 /// Corners only ever become convex while ears are cut off.
 void EarClipper::settle(Index i) {
     if (!reflex_[i] || !(turnAt(i) > 0.0)) return;
@@ -80,7 +67,6 @@ void EarClipper::clip(std::vector<std::array<Index, 3>>& triangles) {
         if (steps < mostSteps && !isEar(i)) {
             i = next_[i];
             if (++fruitless < left) continue;
-            i = leastHarm(i);
             if (turnAt(i) != 0.0) mostSteps = steps + (mostSteps - steps) / kPatience;
         }
         triangles.push_back({previous_[i], i, next_[i]});

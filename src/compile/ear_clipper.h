@@ -23,7 +23,6 @@ class EarClipper {
   private:
     double turnAt(Index i) const;
     bool isEar(Index i);
-    Index leastHarm(Index start) const;
     void cut(Index i);
     void settle(Index i);
     std::vector<Index> reflexCorners();

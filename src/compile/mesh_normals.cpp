@@ -176,10 +176,7 @@ void smoothNormals(TriangleMesh& mesh, const MeshTopology& topology,
         mesh.normalCorners.assign(mesh.triangles.size(), {kNone, kNone, kNone});
     }
     if (smoothAngleDegrees > 0.0) {
-        // At 180 degrees rounding must not part opposite faces.
-        const double cosLimit = smoothAngleDegrees >= 180.0
-                                    ? -kInfinity
-                                    : portable::cosDegrees(smoothAngleDegrees) - kUnitDotError;
+        const double cosLimit = portable::cosDegrees(smoothAngleDegrees) - kUnitDotError;
         VertexSmoother smoother(mesh, faceNormals, cosLimit);
         for (std::size_t v = 0; v < topology.vertexCount(); ++v) {
             smoother.smooth(topology.cornersAt(static_cast<Index>(v)));

@@ -39,8 +39,8 @@ bool isTiny(const char* begin, const char* end) {
 
 }  // namespace
 
-SourceLocation ObjCursor::where() const {
-    return {path_, static_cast<int>(std::min<std::int64_t>(line_, INT_MAX))};
+int ObjCursor::line() const {
+    return static_cast<int>(std::min<std::int64_t>(line_, INT_MAX));
 }
 
 void ObjCursor::fail(const std::string& message) const {

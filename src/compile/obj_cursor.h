@@ -19,7 +19,9 @@ class ObjCursor {
         end_ = end;
     }
     bool atBlockEnd() const { return at_ >= end_; }
-    SourceLocation where() const;
+    /// Counted from 1; the largest int for all lines beyond.
+    int line() const;
+    SourceLocation where() const { return {path_, line()}; }
 
     /// The next character; '\n' at the end of the block.
     char peek() const { return *at_; }

@@ -109,7 +109,7 @@ PolygonCorner ObjReader::readCorner() {
 }
 
 void ObjReader::readFace() {
-    const SourceLocation where = cursor_.where();
+    const int line = cursor_.line();
     cursor_.advance(1);
     face_.clear();
     faceIsLate_ = false;
@@ -117,12 +117,12 @@ void ObjReader::readFace() {
         face_.push_back(readCorner());
     }
     if (faceIsLate_) {
-        lateFaces_.push_back({lateCorners_.size(), face_.size(), where});
+        lateFaces_.push_back({lateCorners_.size(), face_.size(), line});
         lateCorners_.insert(lateCorners_.end(), face_.begin(), face_.end());
     } else if (face_.size() >= 3) {
-        mesh_.addFace(face_, where);
+        mesh_.addFace(face_, file_);
     } else if (cursor_.atBlockEnd()) {
-        throw SceneError("the file ends within a face", where);
+        throw SceneError("the file ends within a face", {file_.file, line});
     } else {
         mesh_.skipFace();
     }
@@ -145,10 +145,10 @@ void ObjReader::readOther() {
     }
 }
 
-void ObjReader::checkLate(const PolygonCorner& corner, const SourceLocation& where) const {
+void ObjReader::checkLate(const PolygonCorner& corner, int line) const {
     const auto check = [&](Index index, std::size_t count, const char* what) {
         if (index == kNone || index < count) return;
-        throw SceneError(outOfRange(what, std::int64_t{index} + 1, count), where);
+        throw SceneError(outOfRange(what, std::int64_t{index} + 1, count), {file_.file, line});
     };
     check(corner.position, mesh_.positions.size(), "vertex");
     check(corner.uv, mesh_.uvs.size(), "texture coordinate");
@@ -159,9 +159,9 @@ void ObjReader::finish(Diagnostics& diagnostics) {
     for (const LateFace& late : lateFaces_) {
         const std::span<const PolygonCorner> face(lateCorners_.data() + late.firstCorner,
                                                   late.cornerCount);
-        for (const PolygonCorner& corner : face) checkLate(corner, late.where);
+        for (const PolygonCorner& corner : face) checkLate(corner, late.line);
         if (face.size() >= 3) {
-            mesh_.addFace(face, late.where);
+            mesh_.addFace(face, file_);
         } else {
             mesh_.skipFace();
         }

@@ -14,7 +14,8 @@ namespace rt {
 /// Reads blocks of whole lines in order, then `finish`.
 class ObjReader {
   public:
-    ObjReader(const std::string& path, MeshBuilder& mesh) : cursor_(path), mesh_(mesh) {}
+    ObjReader(const std::string& path, MeshBuilder& mesh)
+        : file_{path, 0}, cursor_(path), mesh_(mesh) {}
 
     /// A file's last block may end within a line; the others may not.
     void read(const char* begin, const char* end);
@@ -26,7 +27,7 @@ class ObjReader {
     struct LateFace {
         std::size_t firstCorner;
         std::size_t cornerCount;
-        SourceLocation where;
+        int line;
     };
     struct Ignored {
         std::vector<std::string> words;
@@ -42,8 +43,9 @@ class ObjReader {
     void readOther();
     PolygonCorner readCorner();
     Index resolve(std::int64_t index, std::size_t count, const char* what);
-    void checkLate(const PolygonCorner& corner, const SourceLocation& where) const;
+    void checkLate(const PolygonCorner& corner, int line) const;
 
+    SourceLocation file_;
     ObjCursor cursor_;
     MeshBuilder& mesh_;
     std::vector<PolygonCorner> face_;

@@ -10,9 +10,6 @@
 namespace rt {
 namespace {
 
-// What a colour profile may unpack to, beside the pixels.
-constexpr std::size_t kProfileRoom = std::size_t{16} << 20;
-
 // lodepng's numbers for a failed decoder of ours, and for an image without pixels.
 constexpr unsigned kZlibFailed = 110;
 constexpr unsigned kNoPixels = 93;
@@ -91,10 +88,9 @@ Image readPng(std::span<const std::uint8_t> bytes, const std::string& path,
     state.info_raw.colortype = grey ? LCT_GREY : LCT_RGB;
     state.info_raw.bitdepth = color.bitdepth == 16 ? 16 : 8;
     state.decoder.read_text_chunks = 0;
-    state.decoder.max_icc_size = kProfileRoom;
     state.decoder.zlibsettings.custom_zlib = inflateBounded;
     state.decoder.zlibsettings.max_output_size =
-        filteredSize(width, height, lodepng_get_bpp(&color)) + kProfileRoom;
+        filteredSize(width, height, lodepng_get_bpp(&color));
 
     std::vector<unsigned char> raw;
     error = lodepng::decode(raw, width, height, state, bytes.data(), bytes.size());

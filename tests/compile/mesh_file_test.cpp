@@ -261,6 +261,13 @@ TEST_CASE("corners without a normal beside given ones get the computed one") {
     CHECK(mesh.normals[computed].z == doctest::Approx(std::cos(15.0 * M_PI / 180)));
 }
 
+TEST_CASE("a normal of length zero means the face's own, not a computed one") {
+    const std::string ridge = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv -.87 0 -.5\nvn 0 0 0\n";
+    const TriangleMesh mesh = load(ridge + "f 1//1 3 2\nf 1 2 4\n").mesh;
+    CHECK(mesh.normalCorners[0][0] == kNone);
+    CHECK(mesh.normalCorners[0][2] != kNone);
+}
+
 TEST_CASE("polygons from tables become the mesh that the file gives") {
     const TriangleMesh cube = load(kCube, smooth(180)).mesh;
     const std::vector<Index> corners = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4,

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -152,6 +153,57 @@ TEST_CASE("straight corners are kept as corners of triangles with area where the
         for (const auto& [a, b, c] : triangulate(inSpace(p))) {
             CHECK(orientation(p[a], p[b], p[c]) > 0.0);
         }
+    }
+}
+
+TEST_CASE("no corner collects most of the triangles") {
+    Polygon square;
+    for (int i = 0; i < 400; ++i) {
+        const Vec2 corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+        square.push_back(glm::mix(corners[i / 100], corners[i / 100 + 1], (i % 100) / 100.0));
+    }
+    Triangulator triangulate;
+    std::vector<int> uses(square.size(), 0);
+    for (const auto& triangle : triangulate(inSpace(square))) {
+        for (const Index corner : triangle) ++uses[corner];
+    }
+    CHECK(*std::max_element(uses.begin(), uses.end()) < 150);
+}
+
+TEST_CASE("noise along other axes does not choose the plane") {
+    const Polygon arrow = {{0, 0}, {4, 0}, {1, 1}, {0, 4}};
+    for (std::size_t raised = 0; raised < arrow.size(); ++raised) {
+        for (int turn = 0; turn < 3; ++turn) {
+            std::vector<Vec3> points;
+            for (std::size_t i = 0; i < arrow.size(); ++i) {
+                Vec3 p;
+                p[turn] = arrow[i].x;
+                p[(turn + 1) % 3] = arrow[i].y;
+                p[(turn + 2) % 3] = i == raised ? std::nextafter(3.0, 4.0) : 3.0;
+                points.push_back(p);
+            }
+            Triangulator triangulate;
+            double sum = 0.0;
+            for (const auto& [a, b, c] : triangulate(points)) {
+                sum += 0.5 * std::fabs(orientation(arrow[a], arrow[b], arrow[c]));
+            }
+            CHECK(sum == doctest::Approx(4.0));
+        }
+    }
+}
+
+TEST_CASE("polygons wider than the largest double are cut like others") {
+    std::vector<Vec3> points;
+    for (const Vec2 q : {Vec2(-3, -3), Vec2(3, -3), Vec2(-1.5, -1.5), Vec2(-3, 3)}) {
+        points.push_back({0.5e308 * q.x, 0.5e308 * q.y, 0.0});
+    }
+    Triangulator triangulate;
+    CHECK(triangulate(points) == Triangulator::Triangles{{0, 1, 2}, {0, 2, 3}});
+    std::rotate(points.begin(), points.begin() + 1, points.end());
+    for (const auto& [a, b, c] : triangulate(points)) {
+        CHECK(glm::cross(0.1 * points[b] / 1e308 - 0.1 * points[a] / 1e308,
+                         0.1 * points[c] / 1e308 - 0.1 * points[a] / 1e308)
+                  .z > 0.0);
     }
 }
 
