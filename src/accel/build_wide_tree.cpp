@@ -148,20 +148,28 @@ WideTreeBuilder::LaneSet WideTreeBuilder::gatherLanes(const RefRange& range, int
     return set;
 }
 
-/// The lane with the largest box, or with the most items, that should not be a leaf; -1 if none.
+/// The lane to split next; -1 if none. Of the lanes that need more than one node, the one with the
+/// largest box; then of those whose leaves all find room here, which saves their node.
 int WideTreeBuilder::laneToSplit(LaneSet& set, bool byCount) {
+    const std::size_t oneNode = kTreeWidth * settings_.usualLeafItems;
+    const auto spare = static_cast<std::size_t>(kTreeWidth - set.count);
+    const std::size_t spareItems = (spare + 1) * settings_.usualLeafItems;
     for (;;) {
         int chosen = -1;
-        float largest = -1.0f;
+        float heaviest = -1.0f;
+        bool chosenIsLarge = false;
         for (int i = 0; i < set.count; ++i) {
             const Lane& lane = set.lanes[i];
-            if (lane.isLeaf || lane.range.size() < 2) continue;
-            if (byCount && lane.range.size() <= settings_.maxLeafItems) continue;
-            const float weight =
-                byCount ? static_cast<float>(lane.range.size()) : lane.range.box.halfArea();
-            if (weight > largest) {
-                largest = weight;
+            const std::size_t size = lane.range.size();
+            if (lane.isLeaf || size < 2) continue;
+            if (byCount && size <= settings_.maxLeafItems) continue;
+            const bool isLarge = byCount || size > oneNode;
+            if (!isLarge && (chosenIsLarge || size > spareItems)) continue;
+            const float weight = byCount ? static_cast<float>(size) : lane.range.box.halfArea();
+            if (weight > heaviest || (isLarge && !chosenIsLarge)) {
+                heaviest = weight;
                 chosen = i;
+                chosenIsLarge = isLarge;
             }
         }
         if (chosen < 0 || byCount) return chosen;
@@ -245,7 +253,7 @@ WideTree WideTree::build(std::span<const Bounds> boxes, const Settings& settings
         ref.setItem(static_cast<Index>(i));
     }
     const std::uint32_t most = std::clamp(settings.maxLeafItems, 1u, ChildRef::kMaxCount);
-    WideTreeBuilder builder(std::move(refs), count, {BuildCosts{}, most, settings.threads});
+    WideTreeBuilder builder(std::move(refs), count, {BuildCosts{}, most, most, settings.threads});
     return builder.build(frame, bounds);
 }
 
