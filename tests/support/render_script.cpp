@@ -56,7 +56,8 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
     job.kernel = &chooseKernel(settings.kernel);
     const RenderOutcome outcome = render(scene, job);
 
-    Picture picture{scene.width, scene.height, {}, outcome.counts};
+    Picture picture{scene.width,    scene.height,          {},
+                    outcome.counts, outcome.errorEstimate, outcome.converged};
     for (const PixelState& pixel : outcome.film.pixels) picture.pixels.push_back(pixel.mean());
     return picture;
 }

@@ -7,6 +7,7 @@
 #include "rt/script/scene_script.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ struct Picture {
     int height = 0;
     std::vector<Color> pixels;
     TraceCounts counts;
+    std::optional<double> errorEstimate;
+    bool converged = false;
 
     const Color& at(int x, int y) const {
         return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

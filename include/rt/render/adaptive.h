@@ -21,7 +21,7 @@ double rootMean(const std::vector<double>& squaredErrors);
 
 struct AdaptiveGoal {
     double squaredTarget = 0.0;  ///< of the image's mean squared error
-    std::uint32_t firstSamples = 8;
+    std::uint32_t firstSamples = 4;
     std::uint32_t maxSamples = 4096;
 };
 
