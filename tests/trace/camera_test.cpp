@@ -56,9 +56,10 @@ TEST_CASE("all lens points of one image point meet in the plane of focus") {
     CHECK(!pinhole.hasLens());
     const Ray central = pinhole.ray(130, 20, Vec2(0.0));
     const Vec3 focus = central.at(4 / -central.direction.z);
-    for (const Vec2 point : {Vec2(1, 0), Vec2(0, 1), Vec2(-0.6, 0.8), Vec2(0.1, -0.2)}) {
+    const Vec2 points[] = {Vec2(1, 0), Vec2(0, 1), Vec2(-0.6, 0.8), Vec2(0.1, -0.2)};
+    for (const Vec2& point : points) {
         const Ray ray = camera.ray(130, 20, point);
-        CHECK(glm::distance(ray.origin, Vec3(1, 2, 3) + 0.3 * Vec3(point.x, point.y, 0)) < 1e-14);
+        CHECK(glm::distance(ray.origin, Vec3(1 + 0.3 * point.x, 2 + 0.3 * point.y, 3)) < 1e-14);
         CHECK(glm::length(ray.direction) == doctest::Approx(1.0).epsilon(1e-14));
         const Vec3 there = ray.at((focus.z - ray.origin.z) / ray.direction.z);
         CHECK(glm::distance(there, focus) < 1e-13);
