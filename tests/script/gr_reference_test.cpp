@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -14,9 +13,7 @@ namespace {
 
 /// The text of each section "### gr.name" of the reference.
 std::map<std::string, std::string> sections() {
-    const auto file = std::filesystem::path(__FILE__).parent_path() / ".." / ".." /
-                      "Documentation" / "scene_language.md";
-    std::ifstream in(file);
+    std::ifstream in("Documentation/scene_language.md");
     REQUIRE(in);
     std::map<std::string, std::string> all;
     std::string name;
