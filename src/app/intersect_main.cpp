@@ -1,20 +1,14 @@
-// intersect KIND [--time]: answers rays against single primitives, one question a line on stdin, by
-// the functions that a render calls. For testing; the format is in
-// Documentation/numerics_solids.md.
-#include "rt/accel/mesh_tree.h"
-#include "rt/core/transform.h"
-#include "rt/geometry/box.h"
-#include "rt/geometry/cone.h"
-#include "rt/geometry/cylinder.h"
-#include "rt/geometry/sphere.h"
-#include "rt/geometry/torus.h"
-#include "rt/geometry/triangle.h"
+// intersect KIND [--time] [--isa NAME]: answers rays against single primitives, one question a line
+// on stdin, by the kernel that a render runs. For testing; the format is in
+// tests/vectors/README.md.
+#include "rt/render/kernel_choice.h"
+#include "rt/trace/trace_kernel.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -60,78 +54,39 @@ class Numbers {
     std::istringstream& words_;
 };
 
-struct Answer {
-    double t = 0.0;
-    Vec3 normal{0.0};
-};
-
-class Subject {
-  public:
-    virtual ~Subject() = default;
-    /// The nearest hit and its outward unit normal, in object space.
-    virtual bool closest(const Ray& ray, Interval range, Answer& answer) const = 0;
-};
-
-template <class Solid>
-class SolidSubject : public Subject {
-  public:
-    explicit SolidSubject(const Solid& solid) : solid_(solid) {}
-    bool closest(const Ray& ray, Interval range, Answer& answer) const override {
-        PrimitiveHit hit;
-        if (!solid_.intersect(ray, range, hit)) return false;
-        answer = {hit.t, solid_.surface(hit).normal};
-        return true;
-    }
-
-  private:
-    Solid solid_;
-};
-
-class MeshSubject : public Subject {
-  public:
-    explicit MeshSubject(TriangleMesh mesh)
-        : mesh_(std::move(mesh)), tree_(MeshTree::build(mesh_, 1)) {}
-    bool closest(const Ray& ray, Interval range, Answer& answer) const override {
-        PrimitiveHit hit;
-        if (!tree_.closestHit(ray, range, hit)) return false;
-        answer = {hit.t, triangleSurface(mesh_, hit.part, hit).normal};
-        return true;
-    }
-
-  private:
-    TriangleMesh mesh_;
-    MeshTree tree_;
-};
-
-using SubjectPointer = std::unique_ptr<Subject>;
-
-/// Spheres: centre, radius.
-SubjectPointer readSphere(Numbers& in) {
+Shape readSphere(Numbers& in) {
     const Vec3 centre = in.vec();
-    return std::make_unique<SolidSubject<Sphere>>(Sphere(centre, in.next()));
+    return Sphere(centre, in.next());
 }
 
-SubjectPointer readBox(Numbers& in) {
+Shape readBox(Numbers& in) {
     const Vec3 lo = in.vec();
-    return std::make_unique<SolidSubject<Box>>(Box(lo, in.vec()));
+    return Box(lo, in.vec());
 }
 
 /// Cylinders, cones and tori: an anchor and two lengths.
 template <class Solid>
-SubjectPointer readRound(Numbers& in) {
+Shape readRound(Numbers& in) {
     const Vec3 anchor = in.vec();
     const double first = in.next();
-    return std::make_unique<SolidSubject<Solid>>(Solid(anchor, first, in.next()));
+    return Solid(anchor, first, in.next());
 }
 
-SubjectPointer readTriangle(Numbers& in) {
+Shape meshShape(TriangleMesh mesh) {
+    auto shape = std::make_shared<MeshShape>();
+    shape->mesh = std::move(mesh);
+    shape->tree = MeshTree::build(shape->mesh, 1);
+    return std::shared_ptr<const MeshShape>(std::move(shape));
+}
+
+Shape readTriangle(Numbers& in) {
     TriangleMesh mesh;
     for (int corner = 0; corner < 3; ++corner) mesh.positions.push_back(in.vec());
     mesh.triangles.push_back({0, 1, 2});
-    return std::make_unique<MeshSubject>(std::move(mesh));
+    return meshShape(std::move(mesh));
 }
 
-SubjectPointer readFan(Numbers& in) {
+Shape readFan(Numbers& in) {
     const double count = in.next();
     if (!(count >= 1.0 && count <= kMostFanTriangles && count == std::floor(count))) {
         throw std::invalid_argument("a fan has 1 to 1000000 triangles, got " +
@@ -143,12 +98,12 @@ SubjectPointer readFan(Numbers& in) {
     for (Index i = 0; i < triangles; ++i) {
         mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % triangles});
     }
-    return std::make_unique<MeshSubject>(std::move(mesh));
+    return meshShape(std::move(mesh));
 }
 
 struct Kind {
     const char* name;
-    SubjectPointer (*read)(Numbers& in);
+    Shape (*read)(Numbers& in);
     bool hasMinimum;  ///< the question ends in tmin
 };
 
@@ -163,7 +118,7 @@ constexpr Kind kKinds[] = {
 };
 
 struct Question {
-    SubjectPointer subject;
+    Shape shape;
     Transform transform;
     Ray ray;
     Interval range;
@@ -183,8 +138,7 @@ Question readQuestion(const Kind& kind, const std::string& line) {
     std::string name;
     words >> name;
     Numbers in(words);
-    Question question;
-    question.subject = kind.read(in);
+    Question question{kind.read(in), {}, {}, {}};
     if (name == "affine" && !Transform::make(readMap(in), question.transform)) {
         throw std::invalid_argument("the map has no finite inverse");
     }
@@ -211,65 +165,88 @@ std::vector<Question> readQuestions(const Kind& kind, std::istream& in) {
     return questions;
 }
 
-/// As a render asks: into object space, the primitive, and the normal back.
-bool ask(const Question& question, Answer& answer) {
-    const Ray local = question.transform.toObject(question.ray);
-    if (!question.subject->closest(local, question.range, answer)) return false;
-    if (!question.transform.isIdentity()) {
-        answer.normal = question.transform.normalToWorld(answer.normal);
-    }
-    return true;
-}
-
-void printAnswers(const std::vector<Question>& questions) {
-    for (const Question& question : questions) {
-        Answer answer;
-        if (ask(question, answer)) {
-            const Vec3& n = answer.normal;
-            std::printf("%a %a %a %a\n", answer.t, n.x, n.y, n.z);
+void printAnswers(const TraceKernel& kernel, const std::vector<Question>& questions) {
+    for (const Question& q : questions) {
+        PrimitiveHit hit;
+        Vec3 n;
+        if (kernel.intersectShape(q.shape, q.transform, q.ray, q.range, hit, n)) {
+            std::printf("%a %a %a %a\n", hit.t, n.x, n.y, n.z);
         } else {
             std::puts("miss");
         }
     }
 }
 
+/// Processor time of this thread: what else the machine does counts less.
+double threadNanoseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
 /// Median over several passes of the time for one question.
-double nanosecondsPerRay(const std::vector<Question>& questions) {
+double nanosecondsPerRay(const TraceKernel& kernel, const std::vector<Question>& questions) {
     constexpr int kPasses = 11;
     constexpr std::size_t kRaysPerPass = 200000;
     const std::size_t rounds = std::max<std::size_t>(1, kRaysPerPass / questions.size());
     std::vector<double> passes;
     volatile double sink = 0.0;
     for (int pass = 0; pass < kPasses; ++pass) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = threadNanoseconds();
         double sum = 0.0;
         for (std::size_t round = 0; round < rounds; ++round) {
-            for (const Question& question : questions) {
-                Answer answer;
-                if (ask(question, answer)) sum += answer.t + answer.normal.x;
+            for (const Question& q : questions) {
+                PrimitiveHit hit;
+                Vec3 n;
+                if (kernel.intersectShape(q.shape, q.transform, q.ray, q.range, hit, n)) {
+                    sum += hit.t + n.x;
+                }
             }
         }
         sink = sink + sum;
-        const std::chrono::duration<double, std::nano> spent =
-            std::chrono::steady_clock::now() - start;
-        passes.push_back(spent.count() / static_cast<double>(rounds * questions.size()));
+        const double spent = threadNanoseconds() - start;
+        passes.push_back(spent / static_cast<double>(rounds * questions.size()));
     }
     std::nth_element(passes.begin(), passes.begin() + kPasses / 2, passes.end());
     return passes[kPasses / 2];
 }
 
+struct Arguments {
+    const Kind* kind = nullptr;
+    bool time = false;
+    std::string isa;  ///< empty: the fastest
+};
+
+bool parse(int argc, char** argv, Arguments& out) {
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--time") {
+            out.time = true;
+        } else if (word == "--isa" && i + 1 < argc) {
+            out.isa = argv[++i];
+        } else {
+            const Kind* const kind = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                                  [&](const Kind& k) { return word == k.name; });
+            if (kind == std::end(kKinds) || out.kind) return false;
+            out.kind = kind;
+        }
+    }
+    return out.kind != nullptr;
+}
+
 int usage() {
-    std::fputs("usage: intersect KIND [--time] < questions; KIND is one of", stderr);
+    std::fputs("usage: intersect KIND [--time] [--isa NAME] < questions; KIND is one of", stderr);
     for (const Kind& kind : kKinds) std::fprintf(stderr, " %s", kind.name);
     std::fputs("\n", stderr);
     return kExitBadInput;
 }
 
-int run(const Kind& kind, bool time) {
-    const std::vector<Question> questions = readQuestions(kind, std::cin);
-    printAnswers(questions);
-    if (time && !questions.empty()) {
-        std::fprintf(stderr, "ns_per_ray %.1f\n", nanosecondsPerRay(questions));
+int run(const Arguments& arguments) {
+    const TraceKernel& kernel = chooseKernel(arguments.isa);
+    const std::vector<Question> questions = readQuestions(*arguments.kind, std::cin);
+    printAnswers(kernel, questions);
+    if (arguments.time && !questions.empty()) {
+        std::fprintf(stderr, "ns_per_ray %.1f\n", nanosecondsPerRay(kernel, questions));
     }
     return 0;
 }
@@ -277,14 +254,10 @@ int run(const Kind& kind, bool time) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const bool time = argc == 3 && std::string(argv[2]) == "--time";
-    if (argc != 2 && !time) return usage();
-    const Kind* const kind = std::find_if(std::begin(kKinds), std::end(kKinds), [&](const Kind& k) {
-        return std::string(argv[1]) == k.name;
-    });
-    if (kind == std::end(kKinds)) return usage();
+    Arguments arguments;
+    if (!parse(argc, argv, arguments)) return usage();
     try {
-        return run(*kind, time);
+        return run(arguments);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "intersect: %s\n", error.what());
         return kExitBadInput;

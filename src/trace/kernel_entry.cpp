@@ -26,7 +26,7 @@ bool closest(const RenderScene& scene, const Ray& ray, Interval range, SceneHit&
     return closestHit(scene, ray, range, hit);
 }
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &closest, &surfaceAt};
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &closest, &surfaceAt, &intersectShape};
 
 }  // namespace
 }  // namespace rt

@@ -50,13 +50,19 @@ struct SurfaceOfShape {
     }
 };
 
-/// Calls use(object-space ray, shape) without copying the ray where the instance is not moved.
+/// Calls use(object-space ray) without copying the ray where the instance is not moved.
 template <class Use>
-bool inObjectSpace(const RenderScene& scene, const Instance& instance, const Ray& ray, Use&& use) {
-    const Shape& shape = scene.shapes[instance.shape];
-    if (instance.transform.isIdentity()) return use(ray, shape);
-    const Ray local = instance.transform.toObject(ray);
-    return use(local, shape);
+bool inObjectSpace(const Transform& transform, const Ray& ray, Use&& use) {
+    if (transform.isIdentity()) return use(ray);
+    const Ray local = transform.toObject(ray);
+    return use(local);
+}
+
+bool nearestOn(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
+               PrimitiveHit& hit) {
+    return inObjectSpace(transform, ray, [&](const Ray& local) {
+        return std::visit(IntersectShape{local, range, hit}, shape);
+    });
 }
 
 double largest(const Vec3& v) {
@@ -85,10 +91,16 @@ double coincidenceInT(const Ray& ray, double t) {
 
 bool intersectInstance(const RenderScene& scene, Index instance, const Ray& ray, Interval range,
                        PrimitiveHit& hit) {
-    return inObjectSpace(scene, scene.instances[instance], ray,
-                         [&](const Ray& local, const Shape& shape) {
-                             return std::visit(IntersectShape{local, range, hit}, shape);
-                         });
+    const Instance& placed = scene.instances[instance];
+    return nearestOn(scene.shapes[placed.shape], placed.transform, ray, range, hit);
+}
+
+bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
+                    PrimitiveHit& hit, Vec3& normal) {
+    if (!nearestOn(shape, transform, ray, range, hit)) return false;
+    normal = std::visit(SurfaceOfShape{hit}, shape).normal;
+    if (!transform.isIdentity()) normal = transform.normalToWorld(normal);
+    return true;
 }
 
 bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit,
@@ -116,10 +128,10 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
 
 bool anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
     return traverseAny(scene.tree, ray, range, [&](Index item) {
-        return inObjectSpace(scene, scene.instances[item], ray,
-                             [&](const Ray& local, const Shape& shape) {
-                                 return std::visit(MeetsShape{local, range}, shape);
-                             });
+        const Instance& instance = scene.instances[item];
+        return inObjectSpace(instance.transform, ray, [&](const Ray& local) {
+            return std::visit(MeetsShape{local, range}, scene.shapes[instance.shape]);
+        });
     });
 }
 

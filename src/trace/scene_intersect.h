@@ -26,6 +26,10 @@ bool anyHit(const RenderScene& scene, const Ray& ray, Interval range);
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings);
 
+/// The nearest hit of a placed shape, and the unit geometric normal there, in world space.
+bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
+                    PrimitiveHit& hit, Vec3& normal);
+
 /// The object-space surface at a hit.
 SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit);
 

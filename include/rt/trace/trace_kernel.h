@@ -78,6 +78,11 @@ struct TraceKernel {
 
     /// The object-space surface at a hit.
     SurfacePoint (*surface)(const RenderScene& scene, const SceneHit& hit);
+
+    /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
+    /// unit geometric normal there, in the world.
+    bool (*intersectShape)(const Shape& shape, const Transform& transform, const Ray& ray,
+                           Interval range, PrimitiveHit& hit, Vec3& normal);
 };
 
 }  // namespace rt
