@@ -16,7 +16,6 @@ constexpr std::size_t kChunk = std::size_t{1} << 14;
 
 /// A block tests eight triangles at the price of one, but more than six seldom share eight corners.
 constexpr std::uint32_t kLeafTriangles = 6;
-constexpr std::uint32_t kUsualTriangles = 4;
 
 template <class Run>
 void forEachChunk(std::size_t count, int threads, Run&& run) {
@@ -108,8 +107,7 @@ class MeshTreeBuilder {
         RefArray refs = triangleRefs(mesh_, frame, threads_);
         const std::size_t count = refs.count;
         const BuildCosts costs{1.0f, 1.0f, kLeafTriangles};
-        WideTreeBuilder builder(std::move(refs.refs), count,
-                                {costs, kLeafTriangles, kUsualTriangles, threads_});
+        WideTreeBuilder builder(std::move(refs.refs), count, {costs, kLeafTriangles, threads_});
         MeshTree result;
         result.tree_ = builder.build(frame, bounds);
         result.blocks_ = makeBlocks(result.tree_);

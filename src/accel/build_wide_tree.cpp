@@ -148,12 +148,13 @@ WideTreeBuilder::LaneSet WideTreeBuilder::gatherLanes(const RefRange& range, int
     return set;
 }
 
-/// The lane to split next; -1 if none. Of the lanes that need more than one node, the one with the
-/// largest box; then of those whose leaves all find room here, which saves their node.
+/// The lane to split next; -1 if none. Of the lanes that need more than one node (if leaves are
+/// full), the one with the largest box; then of those whose leaves all find room here, which saves
+/// their node.
 int WideTreeBuilder::laneToSplit(LaneSet& set, bool byCount) {
-    const std::size_t oneNode = kTreeWidth * settings_.usualLeafItems;
+    const std::size_t oneNode = kTreeWidth * settings_.maxLeafItems;
     const auto spare = static_cast<std::size_t>(kTreeWidth - set.count);
-    const std::size_t spareItems = (spare + 1) * settings_.usualLeafItems;
+    const std::size_t spareItems = (spare + 1) * settings_.maxLeafItems;
     for (;;) {
         int chosen = -1;
         float heaviest = -1.0f;
@@ -253,7 +254,7 @@ WideTree WideTree::build(std::span<const Bounds> boxes, const Settings& settings
         ref.setItem(static_cast<Index>(i));
     }
     const std::uint32_t most = std::clamp(settings.maxLeafItems, 1u, ChildRef::kMaxCount);
-    WideTreeBuilder builder(std::move(refs), count, {BuildCosts{}, most, most, settings.threads});
+    WideTreeBuilder builder(std::move(refs), count, {BuildCosts{}, most, settings.threads});
     return builder.build(frame, bounds);
 }
 

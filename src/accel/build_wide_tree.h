@@ -19,7 +19,6 @@ class WideTreeBuilder {
     struct Settings {
         BuildCosts costs;
         std::uint32_t maxLeafItems = 1;
-        std::uint32_t usualLeafItems = 1;  ///< what leaves hold on average
         int threads = 1;
     };
 

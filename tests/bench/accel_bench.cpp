@@ -325,6 +325,12 @@ void run(const Settings& settings) {
 }  // namespace rt::bench
 
 int main(int count, char** arguments) {
+#if defined(__AVX512F__)
+    if (!__builtin_cpu_supports("avx512dq")) {
+        fmt::print(stderr, "accel_bench: built for AVX-512, which this processor lacks\n");
+        return 2;
+    }
+#endif
     try {
         rt::bench::run(rt::bench::parse(count, arguments));
         return 0;
