@@ -188,6 +188,7 @@ class Batch {
         settings.flipV = options.flipV.value_or(false);
         settings.srgb = options.transfer.value_or("raw") == "srgb";
         settings.maxInstances = static_cast<std::uint64_t>(options_.maxInstances);
+        settings.maxPixels = static_cast<std::uint64_t>(options_.maxPixels);
         refuseTooManyPixels(desc.renders[index]);
         return compileScene(desc, index, settings, assets_, diagnostics);
     }

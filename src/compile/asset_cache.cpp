@@ -43,11 +43,14 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
 
 std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
                                                  const TextureSettings& settings,
+                                                 std::uint64_t maxPixels,
                                                  Diagnostics& diagnostics) {
     const auto [entry, added] = images_.try_emplace({image.path, settings.flipV, settings.srgb});
     if (added) {
-        entry->second = std::make_shared<const Texture>(
-            loadImage(image.path, ImageLimits{}, diagnostics), settings);
+        ImageLimits limits;
+        limits.maxPixels = maxPixels;
+        entry->second =
+            std::make_shared<const Texture>(loadImage(image.path, limits, diagnostics), settings);
     }
     return entry->second;
 }

@@ -119,7 +119,7 @@ class Compiler {
         const double angle = settings_.smoothAngleDegrees;
         std::shared_ptr<const MeshShape> mesh;
         if (const auto* file = std::get_if<MeshFileDesc>(&desc.shape)) {
-            mesh = assets_.mesh(*file, angle, diagnostics_);
+            mesh = loaded(desc.where, [&] { return assets_.mesh(*file, angle, diagnostics_); });
         } else if (const auto* table = std::get_if<MeshTableDesc>(&desc.shape)) {
             mesh = assets_.mesh(*table, geometry, angle, desc.where, diagnostics_);
         } else {
@@ -128,6 +128,17 @@ class Compiler {
         if (!mesh) return std::nullopt;
         out_.features |= kFeatureMeshes;
         return Shape(std::move(mesh));
+    }
+
+    /// What `load` gives; its errors also name the line of the script.
+    template <class Load>
+    static auto loaded(const SourceLocation& where, Load&& load) {
+        try {
+            return load();
+        } catch (Error& error) {
+            error.namedAt(where);
+            throw;
+        }
     }
 
     static Shape solidOf(const GeometryShape& shape) {
@@ -188,7 +199,10 @@ class Compiler {
         TextureSettings settings;
         settings.flipV = settings_.flipV;
         settings.srgb = settings_.srgb;
-        return assets_.image(scene_.images[index], settings, diagnostics_);
+        const ImageDesc& desc = scene_.images[index];
+        return loaded(desc.where, [&] {
+            return assets_.image(desc, settings, settings_.maxPixels, diagnostics_);
+        });
     }
 
     /// Makes the orders distinct: nodes by creation, one node's instances by their place in the

@@ -279,6 +279,12 @@ class Failures(EndToEnd):
          "gr.render(r, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})", ["scene.lua"], 1,
          ["scene.lua:1", "bare", "material"]),
         ("missing mesh", "gr.mesh('m', 'cow.obj')", ["scene.lua"], 1, ["scene.lua:1", "cow.obj"]),
+        ("broken mesh", "m = gr.mesh('m', 'broken.obj') m:set_material(gr.material({1,1,1},{0,0,0},0))\n"
+         "gr.render(m, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})", ["scene.lua"], 1,
+         ["broken.obj:4", "vertex 9 of 3", "scene.lua:1"]),
+        ("broken texture", "s = gr.sphere('s') s:set_texture(gr.texture('broken.png', {0,0,0}, 0))\n"
+         "gr.render(s, 'x.png', 8, 8, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})", ["scene.lua"], 1,
+         ["broken.png", "scene.lua:1"]),
         ("cycle", "a = gr.node('a') b = gr.node('b') a:add_child(b)\nb:add_child(a)", ["scene.lua"], 1,
          ["scene.lua:2", "cycle"]),
         ("too many pixels", BALL.replace("64, 48", "40000, 40000"), ["scene.lua"], 4, ["--max-pixels"]),
@@ -299,6 +305,8 @@ class Failures(EndToEnd):
     ]
 
     def test_failures_say_what_where_and_what_would_be_right(self):
+        self.write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")
+        self.write("broken.png", "\x7fno image")
         for name, script, arguments, code, fragments in self.CASES:
             with self.subTest(name):
                 if script is not None:

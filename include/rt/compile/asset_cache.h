@@ -25,7 +25,7 @@ class AssetCache {
                                           double smoothAngleDegrees, const SourceLocation& where,
                                           Diagnostics& diagnostics);
     std::shared_ptr<const Texture> image(const ImageDesc& image, const TextureSettings& settings,
-                                         Diagnostics& diagnostics);
+                                         std::uint64_t maxPixels, Diagnostics& diagnostics);
 
     /// Forgets what came from a script's tables, not from files: before another script runs.
     void forgetTables() { tables_.clear(); }

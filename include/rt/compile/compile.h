@@ -18,7 +18,8 @@ struct CompileSettings {
     double smoothAngleDegrees = 40.0;  ///< for meshes that do not say
     bool flipV = false;
     bool srgb = false;  ///< images hold sRGB values, to be made linear
-    std::uint64_t maxInstances = 20'000'000;
+    std::uint64_t maxInstances = 10'000'000;
+    std::uint64_t maxPixels = std::uint64_t{1} << 27;  ///< of an image that a scene reads
 };
 
 /// Compiles one render of the description: the node graph flattened to instances that share their

@@ -42,6 +42,13 @@ class Error : public std::runtime_error {
     /// As it is shown to the user: "scene.lua:12: error: what was wrong".
     std::string shown() const { return prefix_ + "error: " + message_; }
 
+    /// Adds where the script named the asset that is wrong.
+    void namedAt(const SourceLocation& where) {
+        if (!where.file.empty()) {
+            message_ += " (named at " + where.file + ":" + std::to_string(where.line) + ")";
+        }
+    }
+
     /// What --verbose adds: where a script was when it failed.
     const std::string& details() const { return details_; }
     void attach(const std::string& details) { details_ = details; }
