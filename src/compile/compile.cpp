@@ -114,6 +114,17 @@ class Compiler {
         return entry->second;
     }
 
+    /// What `load` gives; its errors also name the line of the script.
+    template <class Load>
+    static auto loaded(const SourceLocation& where, Load&& load) {
+        try {
+            return load();
+        } catch (Error& error) {
+            error.namedAt(where);
+            throw;
+        }
+    }
+
     std::optional<Shape> makeShape(Index geometry) {
         const GeometryDesc& desc = scene_.geometries[geometry];
         const double angle = settings_.smoothAngleDegrees;
@@ -128,17 +139,6 @@ class Compiler {
         if (!mesh) return std::nullopt;
         out_.features |= kFeatureMeshes;
         return Shape(std::move(mesh));
-    }
-
-    /// What `load` gives; its errors also name the line of the script.
-    template <class Load>
-    static auto loaded(const SourceLocation& where, Load&& load) {
-        try {
-            return load();
-        } catch (Error& error) {
-            error.namedAt(where);
-            throw;
-        }
     }
 
     static Shape solidOf(const GeometryShape& shape) {
