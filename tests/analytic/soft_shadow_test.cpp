@@ -1,0 +1,218 @@
+// Sphere lights against closed forms: the parts of spherical caps that something covers.
+#include "optics_shot.h"
+
+#include <vector>
+
+using namespace rt;
+using namespace rt::test;
+
+namespace {
+
+const std::string kFloor = place("gr.nh_box('floor', {-500, -500, -1}, {1000, 1000, 1})", 1.0);
+
+/// Samples that bring a shadow's edge to a few 1e-4.
+constexpr int kMany = 32768;
+
+/// A light of intensity 1 without falloff. Brightness 1 lifts every cosine to 1.
+std::string light(const Vec3& centre, double radius, double brightness = 0.0) {
+    return "lights[#lights + 1] = gr.light(" + text(centre) + ", {1, 1, 1}, {1, 0, 0}, " +
+           text(radius) + ", " + text(brightness) + ")\n";
+}
+
+/// Sees the floor's origin from the direction -y, from low enough to pass below any obstacle.
+Shot origin(const std::string& body) {
+    Shot shot;
+    shot.body = body + kFloor;
+    shot.eye = {0.0, -10.0, 0.5};
+    shot.view = {0.0, 10.0, -0.5};
+    return shot;
+}
+
+/// Solid angle that caps of half-angles a and b have in common, their axes d apart and their rims
+/// crossing (Tovchigrechko and Vakser, How common is the funnel-like energy landscape in
+/// protein-protein interactions?, Protein Science 10, 2001).
+double commonCap(double a, double b, double d) {
+    const double ca = std::cos(a);
+    const double cb = std::cos(b);
+    const double cd = std::cos(d);
+    const double sa = std::sin(a);
+    const double sb = std::sin(b);
+    const double sd = std::sin(d);
+    return 2.0 * (kPi - std::acos((cd - ca * cb) / (sa * sb)) -
+                  std::acos((cb - cd * ca) / (sd * sa)) * ca -
+                  std::acos((ca - cd * cb) / (sd * sb)) * cb);
+}
+
+double capOf(double halfAngle) {
+    return 2.0 * kPi * (1.0 - std::cos(halfAngle));
+}
+
+/// The mean over a cone of half-angle a, its axis b off the normal, of max(n.w, 0), by quadrature
+/// over the angle to the normal.
+double meanCosine(double a, double b) {
+    const int steps = 200000;
+    const double step = 0.5 * kPi / steps;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        const double t = (i + 0.5) * step;
+        const double c = (std::cos(a) - std::cos(t) * std::cos(b)) / (std::sin(t) * std::sin(b));
+        const double halfWidth = c <= -1.0 ? kPi : c >= 1.0 ? 0.0 : std::acos(c);
+        sum += std::cos(t) * std::sin(t) * 2.0 * halfWidth * step;
+    }
+    return sum / capOf(a);
+}
+
+/// Above the origin, a wall whose edge runs along y in the plane of directions `off` from the
+/// vertical; it hides what lies on the side of +x, and is too thin to hide more.
+std::string edge(double off) {
+    const double height = 2.0;
+    return place(
+        "gr.nh_box('edge', {" + text(height * std::tan(off)) + ", -90, 2}, {90, 180, 1e-8})", 1.0);
+}
+
+double weightOf(double a) {
+    return 2.0 / (1.0 + std::cos(a));
+}
+
+}  // namespace
+
+TEST_CASE("a light with nothing in its way gives kd n.l, whatever its radius") {
+    for (const double radius : {1e-6, 0.01, 0.5, 2.0, 3.9}) {
+        CAPTURE(radius);
+        // The centre is 6 off along x and 8 up; all of the light is above the horizon.
+        CHECK(std::fabs(grey(origin(light({6.0, 0.0, 8.0}, radius)), 4096) - 0.8) < 1e-3);
+    }
+}
+
+TEST_CASE("an edge through the middle of the light, or off it, hides its share of the cap") {
+    for (const double radius : {0.2, 1.0, 2.0, 2.9}) {
+        const double cap = std::asin(radius / 5.0);
+        for (const double part : {-0.9, -0.5, 0.0, 0.3, 0.8}) {
+            CAPTURE(radius);
+            CAPTURE(part);
+            const double off = part * cap;
+            const double seen = commonCap(cap, 0.5 * kPi, 0.5 * kPi - off) / capOf(cap);
+            const double value = grey(origin(edge(off) + light({0, 0, 5}, radius, 1.0)), kMany);
+            CHECK(std::fabs(value - weightOf(cap) * seen) < 1e-3);
+        }
+    }
+}
+
+TEST_CASE("a ball in front of the light hides what the caps have in common") {
+    struct Case {
+        double lightRadius, ballRadius, apart;
+    };
+    for (const Case& c : std::vector<Case>{{1.0, 0.3, 0.15},
+                                           {1.0, 0.5, 0.3},
+                                           {3.0, 0.2, 0.6},
+                                           {4.0, 1.5, 0.5},
+                                           {2.0, 0.8, 0.7}}) {
+        CAPTURE(c.lightRadius);
+        CAPTURE(c.ballRadius);
+        const double lightCap = std::asin(c.lightRadius / 5.0);
+        const double ballCap = std::asin(c.ballRadius / 1.9);
+        const std::string ball = place(
+            "gr.nh_sphere('ball', " + text(1.9 * Vec3(0.0, std::sin(c.apart), std::cos(c.apart))) +
+                ", " + text(c.ballRadius) + ")",
+            1.0);
+        double hidden = 0.0;
+        if (c.apart + lightCap <= ballCap) {
+            hidden = capOf(lightCap);
+        } else if (c.apart + ballCap <= lightCap) {
+            hidden = capOf(ballCap);
+        } else if (c.apart < lightCap + ballCap) {
+            hidden = commonCap(lightCap, ballCap, c.apart);
+        }
+        // Of a cone that reaches below the horizon nothing is asked here.
+        REQUIRE(lightCap < 0.5 * kPi);
+        const double expected = weightOf(lightCap) * (1.0 - hidden / capOf(lightCap));
+        const double value = grey(origin(ball + light({0, 0, 5}, c.lightRadius, 1.0)), kMany);
+        CHECK(std::fabs(value - expected) < 1e-3);
+    }
+}
+
+TEST_CASE("a light that the horizon cuts gives the mean of its part above") {
+    for (const double degrees : {60.0, 75.0, 90.0, 100.0, 115.0}) {
+        CAPTURE(degrees);
+        const double b = degrees * kPi / 180.0;
+        const double a = 0.5;
+        const Vec3 centre = 10.0 * Vec3(std::sin(b), 0.0, std::cos(b));
+        // The floor hides nothing of it: light from below the horizon does not count anyway.
+        const double value = grey(origin(light(centre, 10.0 * std::sin(a))), 4096);
+        CHECK(std::fabs(value - weightOf(a) * meanCosine(a, b)) < 1e-3);
+    }
+}
+
+TEST_CASE("a point inside the light sees a hemisphere of it, at the falloff of its radius") {
+    // Radius 4, the centre at a distance below that, b off the normal; E of a hemisphere whose axis
+    // is b off the normal is (1 + cos b) / 2.
+    for (const double degrees : {0.0, 40.0, 90.0, 130.0}) {
+        CAPTURE(degrees);
+        const double b = degrees * kPi / 180.0;
+        const Vec3 centre = 1.5 * Vec3(std::sin(b), 0.0, std::cos(b));
+        const std::string body =
+            "lights[1] = gr.light(" + text(centre) + ", {1, 1, 1}, {1, 0.25, 0}, 4)\n";
+        CHECK(std::fabs(grey(origin(body), 4096) - 0.5 * (1.0 + std::cos(b)) / 2.0) < 1e-3);
+    }
+}
+
+TEST_CASE("every size and place of the light is met without bias: a t-test over 32 seeds") {
+    struct Case {
+        std::string body;
+        double expected;
+    };
+    const double a = std::asin(0.6);
+    const std::vector<Case> cases = {
+        {light({6, 0, 8}, 2.0), 0.8},
+        {edge(0.2) + light({0, 0, 5}, 3.0, 1.0),
+         weightOf(a) * commonCap(a, 0.5 * kPi, 0.5 * kPi - 0.2) / capOf(a)},
+        {light({10.0 * std::sin(1.5), 0.0, 10.0 * std::cos(1.5)}, 10.0 * std::sin(0.5)),
+         weightOf(0.5) * meanCosine(0.5, 1.5)},
+    };
+    for (const Case& c : cases) {
+        for (const char* sampler : {"joint", "jitter", "random"}) {
+            CAPTURE(c.body);
+            CAPTURE(sampler);
+            const int seeds = 32;
+            double sum = 0.0;
+            double squares = 0.0;
+            for (int seed = 1; seed <= seeds; ++seed) {
+                RenderOptions options;
+                options.seed = seed;
+                options.sampler = sampler;
+                const double off = shoot(origin(c.body), 16, options).at(0, 0).x - c.expected;
+                sum += off;
+                squares += off * off;
+            }
+            const double mean = sum / seeds;
+            const double variance = (squares / seeds - mean * mean) / (seeds - 1);
+            CAPTURE(mean);
+            CHECK(variance > 0.0);
+            CHECK(std::fabs(mean) < 4.0 * std::sqrt(variance));
+        }
+    }
+}
+
+TEST_CASE("each light costs one shadow ray a hit, a point as well as a sphere") {
+    for (const double radius : {0.0, 1.0}) {
+        for (const int lights : {1, 3}) {
+            Shot shot;
+            shot.body = kFloor;
+            for (int i = 0; i < lights; ++i) shot.body += light({i - 1.0, 0.0, 8.0}, radius);
+            shot.fov = 40.0;
+            shot.width = 7;
+            shot.height = 5;
+            const Picture picture = shoot(shot, 3);
+            CHECK(picture.counts.rays.camera == 7 * 5 * 3);
+            CHECK(picture.counts.rays.shadow ==
+                  static_cast<std::uint64_t>(lights) * picture.counts.rays.camera);
+        }
+    }
+}
+
+TEST_CASE("a light of radius 0 is the limit of small ones") {
+    const std::string ball = place("gr.nh_sphere('ball', {0.5, 0, 3}, 0.4)", 1.0);
+    const double point = grey(origin(ball + light({1, 2, 7}, 0.0)));
+    CHECK(point == doctest::Approx(7.0 / std::sqrt(54.0)).epsilon(1e-12));
+    CHECK(std::fabs(grey(origin(ball + light({1, 2, 7}, 1e-7)), 16) - point) < 1e-6);
+}
