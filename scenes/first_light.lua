@@ -27,7 +27,7 @@ root:add_child(ring, honey)
 
 local cube = gr.cube('cube')
 cube:rotate('y', 32)
-cube:translate(-1.2, 0, 1.1)
+cube:translate(-1.55, 0, 1.1)
 cube:scale(0.9, 0.9, 0.9)
 root:add_child(cube, slate)
 

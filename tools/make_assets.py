@@ -281,7 +281,7 @@ def make_gem():
     for s in (-1, 1):
         for t in (-1, 1):
             points += [unit((0, s / g, t * g)), unit((s / g, t * g, 0)), unit((t * g, 0, s / g))]
-    axes = [unit(p) for s in (-1, 1) for t in (-1, 1) for p in ((0, s, t * g), (s, t * g, 0), (t * g, 0, s))]
+    axes = [unit(p) for s in (-1, 1) for t in (-1, 1) for p in ((s, 0, t * g), (0, t * g, s), (t * g, s, 0))]
     faces = []
     for axis in axes:
         ring = sorted(range(20), key=lambda i: -sum(a * b for a, b in zip(axis, points[i])))[:5]
@@ -368,8 +368,7 @@ def sky(u, v):
     sun = (math.sin(a) * math.cos(h), math.sin(h), -math.cos(a) * math.cos(h))
     towards = max(sum(p * q for p, q in zip(d, sun)), 0.0)
     if d[1] < 0:
-        haze = mix((0.62, 0.66, 0.68), (0.24, 0.26, 0.24), smoothstep(0, 0.25, -d[1]))
-        return haze
+        return mix((0.66, 0.75, 0.83), (0.22, 0.34, 0.40), smoothstep(0, 0.45, -d[1]))
     colour = mix((0.74, 0.82, 0.90), (0.16, 0.34, 0.68), smoothstep(-0.05, 0.75, d[1]))
     colour = tuple(c + g * towards ** 40 for c, g in zip(colour, (0.35, 0.28, 0.16)))
     reach = 1.0 / (d[1] + 0.12)
