@@ -208,7 +208,7 @@ TEST_CASE("a mesh tree is the same for any number of threads") {
     }
 }
 
-TEST_CASE("memory stays within 110 bytes a triangle, 160 with splits") {
+TEST_CASE("a usual mesh costs at most 110 bytes a triangle") {
     Draws draws{std::mt19937_64(47)};
     const TriangleMesh ball = closedBall(draws, 6, 1.0, Vec3(0.0));
     CHECK(MeshTree::build(ball, 1).bytes() <= 110 * ball.triangles.size());

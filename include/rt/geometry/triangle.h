@@ -83,6 +83,8 @@ inline double triangleDistance(const TriangleRay& ray, const TriangleWeights& we
     const ShearedCorner sb = shear(ray, b);
     const ShearedCorner sc = shear(ray, c);
     const TriangleWeights weights = triangleWeights(sa, sb, sc);
+    // Opposite signs settle most misses; a product that underflows is left to the full test.
+    if (weights.u * weights.v < 0.0) return false;
     if (!weights.inside()) return false;
     const double t = triangleDistance(ray, weights, sa.z, sb.z, sc.z);
     if (!range.contains(t)) return false;
