@@ -59,8 +59,10 @@ def pfm(path):
 
 class EndToEnd(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.mkdtemp(prefix="rt-end-to-end-")
-        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        outside = tempfile.mkdtemp(prefix="rt-end-to-end-")
+        self.addCleanup(shutil.rmtree, outside, ignore_errors=True)
+        self.folder = os.path.join(outside, "inside")
+        os.mkdir(self.folder)
 
     def path(self, name):
         return os.path.join(self.folder, name)
