@@ -1,4 +1,4 @@
-// The way through the program: options -> command. Rendering is src/app/render_command.cpp:
+// The way through the program: options -> command. Rendering is src/app/commands/render.cpp:
 // script -> description -> compiled scene -> tiles -> film -> file.
 #include "rt/app/commands.h"
 #include "rt/app/options.h"

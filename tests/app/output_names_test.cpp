@@ -1,4 +1,4 @@
-#include "app/output_names.h"
+#include "app/commands/output_names.h"
 
 #include "rt/core/error.h"
 
