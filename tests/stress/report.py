@@ -51,7 +51,7 @@ class Report:
         judged = sum(r["all"] - r["free"] for r in self.rays.values())
         print("rays: %d cases, %d judged" % (sum(r["all"] for r in self.rays.values()), judged))
         if self.laws:
-            print("\ngroup        law                               cases   set by    bad      worst      limit")
+            print("\ngroup        law                               cases    aside    bad      worst      limit")
         for (group, name), r in self.laws.items():
             number = lambda x: "" if x is None else "%.2g" % x
             print(LAW_FORMAT % (group, name, r["cases"], r["odd"], r["bad"], number(r["worst"]), number(r["limit"]),
