@@ -142,18 +142,16 @@ bool Box::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
         });
 }
 
-SurfacePoint Box::surface(const PrimitiveHit& hit) const {
+SurfacePoint Box::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     const int axis = static_cast<int>(hit.part / 2);
     const bool positive = hit.part % 2 != 0;
     Vec3 normal(0.0);
     normal[axis] = positive ? 1.0 : -1.0;
     Vec3 local;
-    Vec3 fraction;
     Vec3 size;
     for (int i = 0; i < 3; ++i) {
         local[i] = std::min(std::max(hit.local[i], lo_[i]), hi_[i]);
         size[i] = hi_[i] - lo_[i];
-        fraction[i] = clampToUnit((local[i] - lo_[i]) / size[i]);
     }
     local[axis] = positive ? hi_[axis] : lo_[axis];
 
@@ -161,9 +159,11 @@ SurfacePoint Box::surface(const PrimitiveHit& hit) const {
     placeSurface(surface, centre_, local, normal);
     // Each face is off by 2 roundings of the size, and the point's three coordinates as much.
     surface.error = gamma(4) * largestComponent(size) + placementError(surface.point);
+    if (detail == SurfaceDetail::kShape) return surface;
     const FaceTexture& face = kFaces[hit.part];
-    const double u = fraction[face.uAxis];
-    const double v = fraction[face.vAxis];
+    const auto fraction = [&](int i) { return clampToUnit((local[i] - lo_[i]) / size[i]); };
+    const double u = fraction(face.uAxis);
+    const double v = fraction(face.vAxis);
     surface.uv = Vec2(face.uDown ? 1.0 - u : u, face.vDown ? 1.0 - v : v);
     surface.dpdu[face.uAxis] = face.uDown ? -size[face.uAxis] : size[face.uAxis];
     surface.dpdv[face.vAxis] = face.vDown ? -size[face.vAxis] : size[face.vAxis];

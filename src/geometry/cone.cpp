@@ -120,8 +120,9 @@ bool Cone::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
         });
 }
 
-SurfacePoint Cone::surface(const PrimitiveHit& hit) const {
+SurfacePoint Cone::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     const Radial out = radial(hit.local.x, hit.local.z);
+    const bool parametrised = detail == SurfaceDetail::kParametrised;
     SurfacePoint surface;
     if (hit.part == kSide) {
         const double y = std::min(std::max(hit.local.y, 0.0), height_);
@@ -129,15 +130,17 @@ SurfacePoint Cone::surface(const PrimitiveHit& hit) const {
         const Vec3 local(across * out.x, y, across * out.z);
         const Vec3 normal(normalRadial_ * out.x, -normalDown_, normalRadial_ * out.z);
         placeSurface(surface, apex_, local, normal);
-        surface.uv = Vec2(turnFraction(out), clampToUnit(y / height_));
-        surface.dpdu = kTurn * Vec3(local.z, 0.0, -local.x);
-        surface.dpdv = Vec3(radius_ * out.x, height_, radius_ * out.z);
+        if (parametrised) {
+            surface.uv = Vec2(turnFraction(out), clampToUnit(y / height_));
+            surface.dpdu = kTurn * Vec3(local.z, 0.0, -local.x);
+            surface.dpdv = Vec3(radius_ * out.x, height_, radius_ * out.z);
+        }
     } else {
         const bool within = out.length <= radius_;
         const Vec3 local(within ? hit.local.x : radius_ * out.x, height_,
                          within ? hit.local.z : radius_ * out.z);
         placeSurface(surface, apex_, local, Vec3(0.0, 1.0, 0.0));
-        layOnCap(surface, local.x, local.z, radius_, 1.0);
+        if (parametrised) layOnCap(surface, local.x, local.z, radius_, 1.0);
     }
     // Slope, radius there, length, its inverse, and two products: 6.5 roundings of the radius.
     surface.error = gamma(8) * radius_ + placementError(surface.point);

@@ -86,23 +86,26 @@ bool Cylinder::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) cons
         });
 }
 
-SurfacePoint Cylinder::surface(const PrimitiveHit& hit) const {
+SurfacePoint Cylinder::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     const Radial out = radial(hit.local.x, hit.local.z);
+    const bool parametrised = detail == SurfaceDetail::kParametrised;
     SurfacePoint surface;
     if (hit.part == kSide) {
         const double y = std::min(std::max(hit.local.y, 0.0), height_);
         const Vec3 local(radius_ * out.x, y, radius_ * out.z);
         placeSurface(surface, base_, local, Vec3(out.x, 0.0, out.z));
-        surface.uv = Vec2(turnFraction(out), clampToUnit(y / height_));
-        surface.dpdu = kTurn * Vec3(local.z, 0.0, -local.x);
-        surface.dpdv = Vec3(0.0, height_, 0.0);
+        if (parametrised) {
+            surface.uv = Vec2(turnFraction(out), clampToUnit(y / height_));
+            surface.dpdu = kTurn * Vec3(local.z, 0.0, -local.x);
+            surface.dpdv = Vec3(0.0, height_, 0.0);
+        }
     } else {
         const double up = hit.part == kTop ? 1.0 : -1.0;
         const bool within = out.length <= radius_;
         const Vec3 local(within ? hit.local.x : radius_ * out.x, hit.part == kTop ? height_ : 0.0,
                          within ? hit.local.z : radius_ * out.z);
         placeSurface(surface, base_, local, Vec3(0.0, up, 0.0));
-        layOnCap(surface, local.x, local.z, radius_, up);
+        if (parametrised) layOnCap(surface, local.x, local.z, radius_, up);
     }
     // Length, its inverse, and two products: 4.5 roundings of the radius.
     surface.error = gamma(6) * radius_ + placementError(surface.point);

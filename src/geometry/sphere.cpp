@@ -56,15 +56,16 @@ bool Sphere::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const 
         });
 }
 
-SurfacePoint Sphere::surface(const PrimitiveHit& hit) const {
+SurfacePoint Sphere::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     const Vec3 n = unitVector(hit.local);
     const Vec3 local = radius_ * n;
-    const Radial out = radial(hit.local.x, hit.local.z);
-    const double across = std::sqrt(n.x * n.x + n.z * n.z);
     SurfacePoint surface;
     placeSurface(surface, centre_, local, n);
     // Length, its inverse, and two products: 4.5 roundings of the radius.
     surface.error = gamma(6) * radius_ + placementError(surface.point);
+    if (detail == SurfaceDetail::kShape) return surface;
+    const Radial out = radial(hit.local.x, hit.local.z);
+    const double across = std::sqrt(n.x * n.x + n.z * n.z);
     surface.uv = Vec2(turnFraction(out), latitudeFraction(n.y, across));
     surface.dpdu = kTurn * Vec3(local.z, 0.0, -local.x);
     surface.dpdv = (0.5 * kTurn * radius_) * Vec3(-n.y * out.x, across, -n.y * out.z);

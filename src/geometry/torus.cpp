@@ -161,7 +161,7 @@ bool Torus::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
     return true;
 }
 
-SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
+SurfacePoint Torus::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     // The lemon is the part of the tube beyond the axis: its meridian is seen from there.
     const double side = hit.part == kLemon ? -1.0 : 1.0;
     const Vec3 p = hit.local * perUnit_;
@@ -173,7 +173,6 @@ SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
     // A tube far thinner than the roundings of R has no side.
     const double across = fromCircle > 0.0 ? radial / fromCircle : 1.0;
     const double up = fromCircle > 0.0 ? p.z / fromCircle : 0.0;
-    const double turn = 2.0 * std::numbers::pi * unit_;
 
     SurfacePoint at;
     at.point = centre_ + hit.local;
@@ -184,6 +183,8 @@ SurfacePoint Torus::surface(const PrimitiveHit& hit) const {
     at.normal = side * Vec3(cosine * across, sine * across, up);
     at.shadingNormal = at.normal;
     at.shadowOrigin = at.point;
+    if (detail == SurfaceDetail::kShape) return at;
+    const double turn = 2.0 * std::numbers::pi * unit_;
     at.uv = Vec2(turns(p.y, p.x), turns(p.z, side * radial));
     at.dpdu = turn * Vec3(-p.y, p.x, 0.0);
     at.dpdv = turn * side * Vec3(-p.z * cosine, -p.z * sine, radial);

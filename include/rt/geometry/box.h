@@ -27,7 +27,8 @@ class Box {
     /// lo + size / 2 rounded. Parts 0 .. 5: -x +x -y +y -z +z.
     [[nodiscard]] bool intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const;
     /// `error` is at most about 3 roundings of the size and 2 of |x| + |y| + |z|.
-    SurfacePoint surface(const PrimitiveHit& hit) const;
+    SurfacePoint surface(const PrimitiveHit& hit,
+                         SurfaceDetail detail = SurfaceDetail::kParametrised) const;
 
   private:
     Vec3 centre_;

@@ -29,7 +29,8 @@ class Cone {
     /// 1 cap (y = cy + h).
     [[nodiscard]] bool intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const;
     /// `error` is at most about 9 roundings of r, and 2 of |x| + |y| + |z| and of h.
-    SurfacePoint surface(const PrimitiveHit& hit) const;
+    SurfacePoint surface(const PrimitiveHit& hit,
+                         SurfaceDetail detail = SurfaceDetail::kParametrised) const;
 
   private:
     Vec3 apex_;

@@ -17,6 +17,10 @@ struct PrimitiveHit {
     Index part = 0;
 };
 
+/// How much of a SurfacePoint is wanted. Texture coordinates and their derivatives cost angles, and
+/// images alone use them.
+enum class SurfaceDetail { kShape, kParametrised };
+
 /// All that shading wants to know of a crossing, in object space.
 struct SurfacePoint {
     Vec3 point{0.0};
@@ -26,10 +30,12 @@ struct SurfacePoint {
     Vec3 normal{0.0};
     Vec3 shadingNormal{0.0};
     /// Where shadow rays start: `point`, but on a smooth mesh lifted onto the rounded surface that
-    /// its normals pretend (Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II, 2021, ch. 4).
+    /// its normals pretend (Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II, 2021, ch.
+    /// 4).
     Vec3 shadowOrigin{0.0};
+    /// Of kParametrised: texture coordinates, and the derivatives of the point by u and v, 0 where
+    /// the surface has no parametrisation.
     Vec2 uv{0.0};
-    /// Derivatives of the point by u and v, 0 where the surface has no parametrisation.
     Vec3 dpdu{0.0};
     Vec3 dpdv{0.0};
 };

@@ -26,7 +26,8 @@ class Sphere {
     /// the exact point by a few roundings of the radius, over the cosine of incidence.
     [[nodiscard]] bool intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const;
     /// `error` is at most about 6 roundings of r and 2 of |x| + |y| + |z|.
-    SurfacePoint surface(const PrimitiveHit& hit) const;
+    SurfacePoint surface(const PrimitiveHit& hit,
+                         SurfaceDetail detail = SurfaceDetail::kParametrised) const;
 
   private:
     Vec3 centre_;

@@ -37,7 +37,8 @@ class Torus {
     /// The normal is along the gradient of the quartic, so on the lemon it points to the centre.
     /// u is the angle about z from x, v the angle on the tube from the outer equator upwards, both
     /// in turns; dpdu x dpdv is along the normal.
-    SurfacePoint surface(const PrimitiveHit& hit) const;
+    SurfacePoint surface(const PrimitiveHit& hit,
+                         SurfaceDetail detail = SurfaceDetail::kParametrised) const;
 
   private:
     Vec3 centre_;
