@@ -40,10 +40,11 @@ struct MeetsShape {
 
 struct SurfaceOfShape {
     const PrimitiveHit& hit;
+    SurfaceDetail detail;
 
     template <class Solid>
     SurfacePoint operator()(const Solid& solid) const {
-        return solid.surface(hit);
+        return solid.surface(hit, detail);
     }
     SurfacePoint operator()(const MeshPointer& shape) const {
         return triangleSurface(shape->mesh, hit.part, hit);
@@ -98,7 +99,7 @@ bool intersectInstance(const RenderScene& scene, Index instance, const Ray& ray,
 bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
                     PrimitiveHit& hit, Vec3& normal) {
     if (!nearestOn(shape, transform, ray, range, hit)) return false;
-    normal = std::visit(SurfaceOfShape{hit}, shape).normal;
+    normal = std::visit(SurfaceOfShape{hit, SurfaceDetail::kShape}, shape).normal;
     if (!transform.isIdentity()) normal = transform.normalToWorld(normal);
     return true;
 }
@@ -148,9 +149,9 @@ void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
     });
 }
 
-SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit) {
+SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail) {
     const Instance& instance = scene.instances[hit.instance];
-    return std::visit(SurfaceOfShape{hit.at}, scene.shapes[instance.shape]);
+    return std::visit(SurfaceOfShape{hit.at, detail}, scene.shapes[instance.shape]);
 }
 
 }  // namespace rt

@@ -31,6 +31,6 @@ bool intersectShape(const Shape& shape, const Transform& transform, const Ray& r
                     PrimitiveHit& hit, Vec3& normal);
 
 /// The object-space surface at a hit.
-SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit);
+SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail);
 
 }  // namespace rt

@@ -27,7 +27,9 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
     const Instance& instance = scene.instances[hit.instance];
     const Look& look = scene.looks[instance.look];
     const Transform& transform = instance.transform;
-    const SurfacePoint surface = surfaceAt(scene, hit);
+    const bool pictured = images && (look.texture || look.bump);
+    const SurfacePoint surface =
+        surfaceAt(scene, hit, pictured ? SurfaceDetail::kParametrised : SurfaceDetail::kShape);
 
     ShadePoint point;
     point.material = look.material;

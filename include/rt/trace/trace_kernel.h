@@ -77,7 +77,7 @@ struct TraceKernel {
     bool (*closestHit)(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit);
 
     /// The object-space surface at a hit.
-    SurfacePoint (*surface)(const RenderScene& scene, const SceneHit& hit);
+    SurfacePoint (*surface)(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail);
 
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.
