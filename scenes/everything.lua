@@ -31,7 +31,7 @@ for i = -3, 3 do
     end
 end
 
--- A mirror in a gilt frame stands before the wall.
+-- A mirror in a gilt frame hangs on the wall, its upper edge towards the table.
 local mirror = gr.node('mirror')
 local pane = gr.nh_box('pane', {-1.15, 0.15, 0}, {2.3, 2.9, 0.06})
 pane:set_reflection(0.05)
@@ -40,8 +40,10 @@ mirror:add_child(gr.nh_box('left', {-1.3, 0, -0.04}, {0.15, 3.2, 0.14}), gilt)
 mirror:add_child(gr.nh_box('right', {1.15, 0, -0.04}, {0.15, 3.2, 0.14}), gilt)
 mirror:add_child(gr.nh_box('lower', {-1.15, 0, -0.04}, {2.3, 0.15, 0.14}), gilt)
 mirror:add_child(gr.nh_box('upper', {-1.15, 3.05, -0.04}, {2.3, 0.15, 0.14}), gilt)
-mirror:rotate('y', 16)
-mirror:translate(-1.75, 0, -3.6)
+mirror:scale(1, 0.66, 1)
+mirror:rotate('x', 13)
+mirror:rotate('y', 12)
+mirror:translate(-1.75, 0.8, -4.6)
 root:add_child(mirror)
 
 local cup = gr.node('cup')

@@ -2,7 +2,7 @@
 -- Look at: the shadows that meet their objects without a gap, the highlights, the round rims.
 
 local ivory = gr.material({0.75, 0.70, 0.60}, {0.10, 0.10, 0.10}, 20)
-local slate = gr.material({0.20, 0.24, 0.30}, {0.05, 0.05, 0.05}, 10)
+local slate = gr.material({0.40, 0.44, 0.50}, {0.05, 0.05, 0.05}, 10)
 local brick = gr.material({0.70, 0.25, 0.18}, {0.30, 0.30, 0.30}, 40)
 local moss = gr.material({0.30, 0.50, 0.22}, {0.20, 0.20, 0.20}, 25)
 local honey = gr.material({0.85, 0.58, 0.15}, {0.60, 0.60, 0.50}, 90)

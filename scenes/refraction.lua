@@ -19,9 +19,9 @@ ball:set_fresnel(true)
 root:add_child(ball, clear)
 
 local straw = gr.cylinder('straw')
-straw:scale(0.045, 1.15, 0.045)
+straw:scale(0.045, 0.95, 0.045)
 straw:rotate('z', -22)
-straw:translate(0.06, 1.22, 0.05)
+straw:translate(-0.015, 1.035, 0.05)
 
 -- The water is created before the glass: where the two overlap, the index of glass holds.
 local drink = gr.node('drink')

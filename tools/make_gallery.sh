@@ -1,0 +1,19 @@
+#!/bin/sh
+# make_gallery.sh [options of ./Project]: renders every scene into Documentation/images; run it in the root.
+# Without options the estimated error of each picture is 0.006.
+set -e
+project=${PROJECT:-./Project}
+images=Documentation/images
+[ $# -gt 0 ] || set -- --error 0.006
+mkdir -p $images
+for scene in scenes/*.lua; do
+    name=$(basename "$scene" .lua)
+    size=480x270
+    [ "$name" = first_light ] && size=800x450
+    "$project" "$scene" -q --size $size -o "$images/$name.png" "$@"
+done
+# Scenes of the older form say their own sizes, and may hold several pictures; readobj.lua is a module.
+for scene in scenes/a4/*.lua; do
+    name=$(basename "$scene" .lua)
+    [ "$name" = readobj ] || "$project" "$scene" -q -o "$images/a4_${name}_#.png" "$@"
+done
