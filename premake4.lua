@@ -58,6 +58,15 @@ local function flag_stamp(name, text)
   return "-include ../build/flags/" .. name .. ".h"
 end
 
+-- The dependencies of an object whose source has moved name the old place, where make would look in
+-- vain.
+for _, dependencies in ipairs(os.matchfiles("build/**.d")) do
+  local file = assert(io.open(dependencies))
+  local source = file:read("*a"):match(":%s+(%S+)")
+  file:close()
+  if source and not os.isfile("build/" .. source) then os.remove(dependencies) end
+end
+
 local function directory(config) return "build/" .. PREFIX .. config:lower() end
 
 -- Applies flags and folders to the project being defined, in each configuration.
