@@ -1,5 +1,5 @@
--- Instances: a forest of some 2,000 trees that are three trees; every place in it is one edge of the
--- graph, with its own colour.
+-- Instances: a forest of some 2,000 trees that are eighteen trees; every place in it is an edge of the
+-- graph.
 -- Look at: no tree is like its neighbour, by turn, size and colour; memory and loading time hardly
 -- change with their number (--stats).
 

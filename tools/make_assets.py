@@ -79,8 +79,9 @@ def write_png(folder, name, width, height, pixel):
     for y in range(height):
         values = (pixel((x + 0.5) / width, 1 - (y + 0.5) / height) for x in range(width))
         lines.append([int(clamp(c) * 255 + 0.5) for value in values for c in value])
+    data = png_bytes(width, height, len(lines[0]) // width, lines)
     with open(path_of(folder, name), "wb") as f:
-        f.write(png_bytes(width, height, len(lines[0]) // width, lines))
+        f.write(data)
 
 
 def write_normal_map(folder, name, size, height, depth):

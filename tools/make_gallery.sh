@@ -1,10 +1,10 @@
 #!/bin/sh
 # make_gallery.sh [options of ./Project]: renders every scene into Documentation/images; run it in the root.
-# Without options the estimated error of each picture is 0.006.
+# Without options the estimated error of each picture is 0.005.
 set -e
 project=${PROJECT:-./Project}
 images=Documentation/images
-[ $# -gt 0 ] || set -- --error 0.006
+[ $# -gt 0 ] || set -- --error 0.005
 mkdir -p $images
 for scene in scenes/*.lua; do
     name=$(basename "$scene" .lua)
