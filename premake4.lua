@@ -13,8 +13,8 @@ local PREFIX = _OPTIONS["clang"] and "clang-" or ""
 local CONFIGURATIONS = {
   Release = "-O2 -g -DNDEBUG",
   Debug = "-O0 -g",
-  Sanitize = "-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all",
-  Threads = "-O1 -g -fsanitize=thread",
+  Sanitize = "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all",
+  Threads = "-O1 -g1 -fsanitize=thread",
 }
 local LINK_FLAGS = {
   Sanitize = "-fsanitize=address,undefined",
@@ -155,7 +155,7 @@ project "intersect"
 
 project "tests"
   kind "ConsoleApp"
-  compile("tests")
+  compile("tests", "-g1")
   includedirs { "tests", "src" }
   files { "tests/**_test.cpp", "tests/support/*.cpp", "tests/test_main.cpp" }
   link_program()
