@@ -119,8 +119,9 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
     });
     if (best.instance == kNone) return false;
     if (coincident) {
-        const double last = best.at.t + coincidenceInT(ray, best.at.t);
-        firstOfCoincident(scene, ray, {range.min, std::min(range.max, last)}, best);
+        const double slack = coincidenceInT(ray, best.at.t);
+        firstOfCoincident(scene, ray, {range.min, std::min(range.max, best.at.t + slack)}, best);
+        best.spread = slack;
     }
     if (shared) *shared = coincident;
     hit = best;

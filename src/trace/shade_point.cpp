@@ -52,6 +52,8 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
         point.clearance = transform.errorToWorld(surface.point, surface.error);
     }
     point.clearance = 2.0 * point.clearance + kCoincidence * largest(point.position);
+    // Past all the crossings that count as one with this, lest one of them be met again.
+    point.clearance += hit.spread * std::fabs(glm::dot(point.geometricNormal, rayDirection));
 
     if (glm::dot(point.geometricNormal, rayDirection) > 0.0) {
         point.geometricNormal = -point.geometricNormal;

@@ -108,7 +108,9 @@ bool Tracer<Features>::nextHit(const Ray& ray, const MediumSet& media, Interval 
             if (entersA != entersB) return entersA;
             return scene_.instances[a.instance].order > scene_.instances[b.instance].order;
         };
-        if (!together_.empty()) hit = *std::min_element(together_.begin(), together_.end(), better);
+        if (together_.empty()) return true;
+        hit = *std::min_element(together_.begin(), together_.end(), better);
+        hit.spread = slack;
         return true;
     }
 }

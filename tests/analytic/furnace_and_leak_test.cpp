@@ -153,22 +153,54 @@ TEST_CASE("convex things between opposite lights are lit once everywhere, at any
     }
 }
 
-TEST_CASE("through two glass balls that touch the sky is seen everywhere, their contact included") {
+TEST_CASE("two glass balls that touch are entered once each, at their contact too") {
+    // A quarter of black own colour at each entry: three quarters of the sky through each ball.
     const std::string balls =
         "gr.background({1, 1, 1})\n" +
-        place("gr.nh_sphere('left', {-1, 0, 0}, 1)", 0.0, "it:set_refraction(1.5, 0)") +
-        place("gr.nh_sphere('right', {1, 0, 0}, 1)", 0.0, "it:set_refraction(1.33, 0)");
-    for (const Vec3& view : {Vec3(-1, 0, 0), Vec3(-1, 0.3, 0.1), Vec3(0, 0, -1)}) {
-        for (const double fov : {60.0, 1.0, 1e-3, 1e-5, 1e-7, 1e-9}) {
-            CAPTURE(view.y);
-            CAPTURE(fov);
-            Shot shot = wide(balls, -5.0 * glm::normalize(view), view);
-            shot.fov = fov;
-            RenderOptions options;
-            options.reference = true;
-            CHECK(pixelsOtherThan(shoot(shot, 2, options), Color(1.0)) == 0);
+        place("gr.nh_sphere('left', {-1, 0, 0}, 1)", 0.0, "it:set_refraction(1.5, 0.25)") +
+        place("gr.nh_sphere('right', {1, 0, 0}, 1)", 0.0, "it:set_refraction(1.33, 0.25)");
+    for (const double distance : {5.0, 5e3}) {
+        for (const double width : {1e-1, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12}) {
+            CAPTURE(distance);
+            CAPTURE(width);
+            Shot shot = wide(balls, {distance, 0, 0}, {-1, 0, 0});
+            shot.fov = width / distance * 180.0 / kPi;
+            const Picture along = shoot(shot, 2);
+            CHECK(pixelsOtherThan(along, Color(0.75 * 0.75)) == 0);
+            CHECK(along.counts.rays.refraction >= 3 * along.counts.rays.camera);
+            // From the side only one of them lies in the way, or none.
+            shot.eye = {0, 0, distance};
+            shot.view = {0, 0, -1};
+            int odd = 0;
+            for (const Color& pixel : shoot(shot, 1).pixels) {
+                odd += pixel.x == 1.0 || (pixel.x >= 0.5 * 0.75 && pixel.x <= 0.75) ? 0 : 1;
+            }
+            CHECK(odd == 0);
         }
     }
+}
+
+TEST_CASE("surfaces too close to tell apart from afar are left behind together") {
+    // From 5000 away, gaps below 4e-9 count as none. The inner ball touches the outer one from
+    // within: near there both are entered at once, and only the outer one's own colour weighs in.
+    Shot shot = wide(
+        "gr.background({1, 1, 1})\n" +
+            place("gr.nh_sphere('inner', {-1, 0, 0}, 1)", 0.0, "it:set_refraction(1.5, 0.25)") +
+            place("gr.nh_sphere('outer', {-2, 0, 0}, 2)", 0.0, "it:set_refraction(1.33, 0.25)"),
+        {5000, 0, 0}, {-1, 0, 0});
+    for (const double width : {1e-5, 1e-6, 1e-7}) {
+        CAPTURE(width);
+        shot.fov = width / 5000 * 180.0 / kPi;
+        CHECK(pixelsOtherThan(shoot(shot, 1), Color(0.75)) == 0);
+    }
+    // Of two plates 1e-10 apart the lower one is first in the graph, and lit as if on top.
+    shot.body = place("gr.nh_box('lower', {-9, -9, -9}, {18, 18, 9})", 1.0) +
+                place("gr.nh_box('upper', {-9, -9, -9}, {18, 18, 9.0000000001})", 0.5) +
+                "lights[1] = gr.light({0, 0, 1e6}, {1, 1, 1}, {1, 0, 0}, 0, 1)\n";
+    shot.eye = {0, 0, 5000};
+    shot.view = {0, 0, -1};
+    shot.fov = 0.001;
+    CHECK(pixelsOtherThan(shoot(shot, 1), Color(1.0)) == 0);
 }
 
 TEST_CASE("a ball that rests on a box leaves no gap for light under it") {
@@ -208,6 +240,8 @@ TEST_CASE("of faces that coincide the first in the graph is seen, in every pixel
         "group = gr.node('group')\ngroup:rotate('x', -35)\ngroup:translate(0.1, 0.2, 0.3)\n"
         "root:add_child(group)\n";
     const Color colors[] = {{1, 0, 0}, {0, 0, 1}};
+    // Lit along the view: a face that hid the other one's light would show.
+    const std::string light = "lights[1] = gr.light({0, 0, 1e6}, {1, 1, 1}, {1, 0, 0}, 0, 1)\n";
     for (const bool redFirst : {true, false}) {
         const std::string red = "group:add_child(one, red)\n";
         const std::string blue = "group:add_child(two, blue)\n";
@@ -215,11 +249,10 @@ TEST_CASE("of faces that coincide the first in the graph is seen, in every pixel
             CAPTURE(redFirst);
             CAPTURE(distance);
             Shot shot;
-            shot.body = scene + (redFirst ? red + blue : blue + red);
+            shot.body = scene + (redFirst ? red + blue : blue + red) + light;
             shot.eye = {0.1, 0.2, distance};
             shot.fov = 2.0 * std::atan(0.8 / distance) * 180.0 / kPi;
             shot.width = shot.height = 32;
-            shot.ambient = Color(1.0);
             PictureSettings settings;
             settings.options.spp = 4;
             const Picture picture = renderScript(shot.script(), settings);

@@ -63,6 +63,9 @@ struct TraceCounts {
 struct SceneHit {
     PrimitiveHit at;
     Index instance = kNone;
+    /// How far from this in t other crossings may lie that count as one with it; 0 if there are
+    /// none.
+    double spread = 0.0;
 };
 
 struct TraceKernel {
