@@ -50,11 +50,11 @@ end
 
 for _, z in ipairs({-0.8, 0.8}) do
     local bar = gr.cylinder('bar at ' .. z)
-    bar:scale(0.05, 2.7, 0.05)
+    bar:scale(0.05, 2.35, 0.05)
     bar:rotate('z', 90)
     bar:translate(0, 3.1, z)
     root:add_child(bar, rod)
-    for _, x in ipairs({-2.7, 2.7}) do
+    for _, x in ipairs({-2.35, 2.35}) do
         root:add_child(gr.nh_cylinder('post ' .. x .. ' ' .. z, {x, 0, z}, 3.1, 0.05), rod)
         root:add_child(gr.nh_sphere('corner ' .. x .. ' ' .. z, {x, 3.1, z}, 0.09), rod)
     end

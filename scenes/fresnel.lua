@@ -16,7 +16,7 @@ bottom:rotate('y', 15)
 bottom:translate(0, -0.8, 0)
 root:add_child(bottom, nil, gr.texture('checker.png', {0, 0, 0}, 1))
 
-local water = gr.nh_box('water', {-200, -0.9, -200}, {400, 0.9, 400})
+local water = gr.nh_box('water', {-600, -0.9, -600}, {1200, 0.9, 1200})
 water:set_refraction(1.33, 0)
 water:set_fresnel(true)
 root:add_child(water, clear)

@@ -8,7 +8,7 @@ images=Documentation/images
 mkdir -p $images
 for scene in scenes/*.lua; do
     name=$(basename "$scene" .lua)
-    size=480x270
+    size=448x252
     [ "$name" = first_light ] && size=800x450
     "$project" "$scene" -q --size $size -o "$images/$name.png" "$@"
 done
