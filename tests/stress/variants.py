@@ -13,6 +13,8 @@ def ways(program, top, name, probe):
     for isa in ISAS:
         if starts([program, "--isa", isa]):
             found.append((isa, [program, "--isa", isa], None))
+    if not found:
+        raise SystemExit("stress: %s does not run with --isa baseline: build it again" % program)
     found.append(("masked", [program], dict(os.environ, GLIBC_TUNABLES=MASK)))
     for build in OTHER_BUILDS:
         path = os.path.join(top, "build", build, name)
