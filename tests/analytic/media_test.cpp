@@ -146,9 +146,11 @@ TEST_CASE("each point of a lens that straddles a glass wall starts in its own me
     Shot shot;
     shot.body =
         kSky + place("gr.nh_box('wall', {0, -50, -9}, {50, 100, 50})", 0.0, glassCall(1.5, 0.25));
-    shot.eye = {0.0, 0.0, 0.0};
+    // The eye itself is outside.
+    shot.eye = {-0.1, 0.0, 0.0};
     shot.focal = "100, 1, 0.5";
     CHECK(grey(shot, 64) == 1.0);
+    shot.eye.x = 0.0;
     // With the wall wholly ahead of the lens, the right half's rays enter it.
     shot.body =
         kSky + place("gr.nh_box('wall', {0, -50, -9}, {50, 100, 8})", 0.0, glassCall(1.5, 0.25));

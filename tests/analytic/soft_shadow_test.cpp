@@ -156,6 +156,15 @@ TEST_CASE("a point inside the light sees a hemisphere of it, at the falloff of i
     }
 }
 
+TEST_CASE("things within a light hide it from a point that is within too, and from no other") {
+    const std::string ball = place("gr.nh_sphere('ball', {0, 0, 2}, 0.5)", 1.0);
+    // Seen from within, the ball takes its cap off the hemisphere: cos(asin(0.5 / 2)) is left.
+    CHECK(std::fabs(grey(origin(ball + light({0, 0, 1.5}, 4.0, 1.0)), kMany) -
+                    2.0 * std::sqrt(1.0 - 0.0625)) < 1e-3);
+    CHECK(std::fabs(grey(origin(ball + light({0, 0, 2}, 1.2, 1.0)), 16) -
+                    weightOf(std::asin(0.6))) < 1e-12);
+}
+
 TEST_CASE("every size and place of the light is met without bias: a t-test over 32 seeds") {
     struct Case {
         std::string body;
