@@ -62,7 +62,7 @@ end
 -- vain.
 for _, dependencies in ipairs(os.matchfiles("build/**.d")) do
   local file = assert(io.open(dependencies))
-  local source = file:read("*a"):match(":%s+(%S+)")
+  local source = file:read("*a"):gsub("\\\n", ""):match(":%s+(%S+)")
   file:close()
   if source and not os.isfile("build/" .. source) then os.remove(dependencies) end
 end
