@@ -1,7 +1,8 @@
 -- Normals of meshes: one ball of 80 triangles, three times. From left to right: flat faces (smooth =
 -- false), normals computed from the faces (the default), the normals that the file brings.
 -- Look at: the outlines are the same 80 triangles; no dark band where a smooth ball turns away from
--- the light; behind, a blob of 20,480 triangles, and a gem whose edges stay edges by default.
+-- the light; faint edges on the middle ball, where faces that meet at a corner lie more than the
+-- default 40 degrees apart; behind, a blob of 20,480 triangles, and a gem whose edges stay edges.
 
 local pearl = gr.material({0.74, 0.72, 0.70}, {0.45, 0.45, 0.45}, 40)
 local jade = gr.material({0.25, 0.52, 0.40}, {0.55, 0.55, 0.55}, 70)

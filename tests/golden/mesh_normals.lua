@@ -1,9 +1,9 @@
 -- One ball of 80 triangles: flat, with computed normals, with the normals of its file; and a concave
 -- polygon from tables.
 -- Right, because: all outlines are the same polygon; the flat ball shows faces of one colour each, the
--- other two none; the two smooth ones agree, since the computed normals of so regular a mesh are those
--- of the sphere but for a few degrees; the arrow has its notch, which a fan from the first corner would
--- fill.
+-- other two do not; these two agree but for faint edges in the computed one, where faces that meet at a
+-- corner lie more than 40 degrees apart and are not averaged; the arrow has its notch, which a fan from
+-- a corner beside it would fill.
 
 local m = gr.material({0.6, 0.6, 0.6}, {0.4, 0.4, 0.4}, 30)
 local root = gr.node('root')
