@@ -19,7 +19,7 @@ check() {
     fi
 }
 
-# with_clean_environment COMMAND...: sanitizers stop at the first report.
+# sanitized COMMAND...: sanitizers stop at the first report.
 sanitized() {
     ASAN_OPTIONS=abort_on_error=0:detect_leaks=1 UBSAN_OPTIONS=print_stacktrace=1 \
         TSAN_OPTIONS=halt_on_error=1 "$@"
@@ -33,6 +33,7 @@ check "unit and analytic tests" build/release/tests --minimal
 check "certified ray cases" python3 tests/vectors/check.py build/intersect
 check "the program from outside" python3 tests/end_to_end/run.py ./Project
 check "golden images" python3 tests/golden/run.py ./Project
+check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \
         sh tools/build.sh sanitize tests Project rt_oiio
