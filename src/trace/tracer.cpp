@@ -248,7 +248,12 @@ double Tracer<Features>::visibility(const Ray& ray, double reach, const MediumSe
 template <unsigned Features>
 double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet media) {
     double visible = 1.0;
-    while (visible > 0.0) {
+    for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
+        if (left == 0) {
+            ++counts_.cutPaths;
+            counts_.cutBound += visible * scene_.radianceBound;
+            return 0.0;
+        }
         ++counts_.rays.shadow;
         SceneHit hit;
         if (!nextHit(ray, media, {0.0, reach}, hit)) return visible;

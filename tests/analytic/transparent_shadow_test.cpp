@@ -157,3 +157,32 @@ TEST_CASE("an opaque thing behind or within glass still casts its black shadow")
     CHECK(floorUnder(glass + place("gr.nh_sphere('ball', {0, 0, 4}, 0.05)", 1.0)) == 0.0);
     CHECK(floorUnder(glass + place("gr.nh_sphere('ball', {0, 0, 2}, 0.5)", 1.0)) == 0.0);
 }
+
+TEST_CASE("light through more panes than a sample may follow is cut, and what was cut is booked") {
+    const std::string scene = R"(
+        root = gr.node('root')
+        root:add_child(gr.nh_box('floor', {-9, -1, -9}, {18, 1, 18}),
+                       gr.material({1, 1, 1}, {0, 0, 0}, 0))
+        local clear = gr.material({0, 0, 0}, {0, 0, 0}, 0)
+        for i = 1, PANES do
+            local pane = gr.nh_box('pane' .. i, {2 + 0.001 * i, 0, -1}, {0.0005, 9, 2})
+            pane:set_refraction(1, 0)
+            root:add_child(pane, clear)
+        end
+        gr.render(root, 'x.png', 1, 1, {0, 9, 0}, {0, -1, 0}, {0, 0, 1}, 0.001, {0, 0, 0},
+                  {gr.light({12, 3, 0}, {1, 1, 1}, {1, 0, 0})}))";
+    const auto with = [&](const std::string& panes) {
+        std::string script = scene;
+        script.replace(script.find("PANES"), 5, panes);
+        PictureSettings settings;
+        settings.options.spp = 1;
+        return renderScript(script, settings);
+    };
+    const Picture few = with("1000");
+    CHECK(few.at(0, 0).x > 0.2);
+    CHECK(few.counts.cutPaths == 0);
+    const Picture many = with("3000");
+    CHECK(many.at(0, 0).x == 0.0);
+    CHECK(many.counts.cutPaths == 1);
+    CHECK(many.counts.cutBound >= few.at(0, 0).x);
+}
