@@ -169,6 +169,6 @@ if _OPTIONS["bench"] then
       compile(name, name == "accel_bench" and KERNELS.avx512 or "-mavx2 -mfma")
       files { path }
       link_program()
-      links { "benchmark", "embree3" }
+      links { "benchmark", "embree3", "fmt" }
   end
 end
