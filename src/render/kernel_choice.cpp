@@ -2,6 +2,9 @@
 
 #include "rt/core/error.h"
 
+#if defined(__clang__)
+#define _Bool bool  // the header is C, and clang knows the name there alone
+#endif
 #include <sys/platform/x86.h>
 
 extern "C" {
