@@ -10,7 +10,7 @@ namespace rt {
 std::shared_ptr<const MeshShape> AssetCache::withTree(TriangleMesh mesh) const {
     if (mesh.triangles.empty()) return nullptr;
     MeshTree tree = MeshTree::build(mesh, threads_);
-    return std::make_shared<const MeshShape>(std::move(mesh), std::move(tree));
+    return std::make_shared<const MeshShape>(MeshShape{std::move(mesh), std::move(tree)});
 }
 
 std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshFileDesc& file,

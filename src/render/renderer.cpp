@@ -34,6 +34,7 @@ double processCpuSeconds() {
 
 TraceSettings settingsFor(const RenderJob& job) {
     TraceSettings settings = job.settings;
+    settings.cancel = job.cancel;
     if (job.errorTarget > 0.0) {
         settings.cutoff = std::min(settings.cutoff, kCutShare * job.errorTarget);
     }
@@ -201,7 +202,7 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     outcome.counts = run.counts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
-    if (hasHalves(outcome.film)) {
+    if (!outcome.cancelled && hasHalves(outcome.film)) {
         outcome.errorEstimate = rootMean(squaredErrors(outcome.film)) + run.cutError();
     }
     outcome.seconds = run.seconds();

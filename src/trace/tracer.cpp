@@ -309,9 +309,12 @@ namespace {
 
 /// Brings one pixel to `end` samples, remembering its sum at half of them.
 template <unsigned Features>
-void renderPixel(Tracer<Features>& tracer, int x, int y, std::uint64_t end, PixelState& pixel,
-                 TraceCounts& counts) {
+void renderPixel(Tracer<Features>& tracer, const TraceSettings& settings, int x, int y,
+                 std::uint64_t end, PixelState& pixel, TraceCounts& counts) {
+    constexpr std::uint64_t kBetweenLooks = 64;
     for (std::uint64_t index = pixel.samples; index < end; ++index) {
+        const bool look = settings.cancel && index % kBetweenLooks == 0;
+        if (look && settings.cancel->load(std::memory_order_relaxed)) return;
         if (index == end / 2) pixel.half = pixel.sum;
         const Color value = tracer.sample(x, y, static_cast<int>(index));
         if (std::isfinite(value.x + value.y + value.z)) {
@@ -330,7 +333,7 @@ void renderTileWith(const RenderScene& scene, const TraceSettings& settings, con
     Tracer<Features> tracer(scene, settings, counts);
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x, ++pixels, ++ends) {
-            renderPixel(tracer, x, y, *ends, *pixels, counts);
+            renderPixel(tracer, settings, x, y, *ends, *pixels, counts);
         }
     }
 }

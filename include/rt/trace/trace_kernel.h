@@ -6,6 +6,7 @@
 #include "rt/sampling/sampler_kind.h"
 #include "rt/trace/render_scene.h"
 
+#include <atomic>
 #include <cstdint>
 
 namespace rt {
@@ -18,6 +19,8 @@ struct TraceSettings {
     std::uint64_t seed = 0;
     SamplerKind sampler = SamplerKind::kJoint;
     FilterKind filter = FilterKind::kBox;
+    /// Once true, pixels are left with the samples that they have; looked at now and then.
+    const std::atomic<bool>* cancel = nullptr;
 };
 
 /// What a pixel has gathered: plain data, the one thing that a checkpoint or a shard has to carry.
