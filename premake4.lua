@@ -58,13 +58,26 @@ local function flag_stamp(name, text)
   return "-include ../build/flags/" .. name .. ".h"
 end
 
--- The dependencies of an object whose source has moved name the old place, where make would look in
--- vain.
-for _, dependencies in ipairs(os.matchfiles("build/**.d")) do
+-- A source that has moved or gone leaves an object behind, in its folder and in a library, that make
+-- knows nothing of: the object and the libraries go, too.
+local function source_of(dependencies)
   local file = assert(io.open(dependencies))
   local source = file:read("*a"):gsub("\\\n", ""):match(":%s+(%S+)")
   file:close()
-  if source and not os.isfile("build/" .. source) then os.remove(dependencies) end
+  return source
+end
+
+local stale = false
+for _, dependencies in ipairs(os.matchfiles("build/**.d")) do
+  local source = source_of(dependencies)
+  if source and not os.isfile("build/" .. source) then
+    os.remove(dependencies)
+    os.remove((dependencies:gsub("%.d$", ".o")))
+    stale = true
+  end
+end
+if stale then
+  for _, library in ipairs(os.matchfiles("build/**.a")) do os.remove(library) end
 end
 
 local function directory(config) return "build/" .. PREFIX .. config:lower() end
