@@ -60,10 +60,6 @@ Json renderJson(const RenderStats& stats) {
     };
 }
 
-double secondsOf(const timeval& time) {
-    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
-}
-
 }  // namespace
 
 std::string statsJson(const std::vector<RenderStats>& renders) {
@@ -83,12 +79,6 @@ std::uint64_t peakResidentBytes() {
     ::getrusage(RUSAGE_SELF, &usage);
     constexpr std::uint64_t kKilobyte = 1024;
     return static_cast<std::uint64_t>(usage.ru_maxrss) * kKilobyte;
-}
-
-double processCpuSeconds() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
 }
 
 }  // namespace rt

@@ -1,9 +1,8 @@
 #include "rt/render/renderer.h"
 
+#include "rt/core/cpu_time.h"
 #include "rt/core/parallel.h"
 #include "rt/render/adaptive.h"
-
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,15 +20,6 @@ constexpr double kCutShare = 1.0 / 16;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double processCpuSeconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 TraceSettings settingsFor(const RenderJob& job) {

@@ -22,11 +22,7 @@ void renderTile(const RenderScene& scene, const TraceSettings& settings, const T
     tileRendererFor(scene.features)(scene, settings, tile, ends, pixels, counts);
 }
 
-bool closest(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit) {
-    return closestHit(scene, ray, range, hit);
-}
-
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &closest, &surfaceAt, &intersectShape};
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &intersectShape};
 
 }  // namespace
 }  // namespace rt

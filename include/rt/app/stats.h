@@ -1,6 +1,7 @@
 // The statistics of a run, for --stats: one JSON object with an entry for each image.
 #pragma once
 
+#include "rt/core/cpu_time.h"
 #include "rt/trace/trace_kernel.h"
 
 #include <cstdint>
@@ -55,8 +56,5 @@ std::string writeStats(const std::string& path, const std::vector<RenderStats>& 
 
 /// The most memory of this process that was resident at once, in bytes.
 std::uint64_t peakResidentBytes();
-
-/// Processor time of all threads of this process, in seconds.
-double processCpuSeconds();
 
 }  // namespace rt

@@ -79,12 +79,6 @@ struct TraceKernel {
     void (*renderTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
                        const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts);
 
-    /// The nearest hit; of surfaces that coincide, the one of the lowest instance.
-    bool (*closestHit)(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit);
-
-    /// The object-space surface at a hit.
-    SurfacePoint (*surface)(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail);
-
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.
     bool (*intersectShape)(const Shape& shape, const Transform& transform, const Ray& ray,
