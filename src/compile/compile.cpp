@@ -79,6 +79,7 @@ class Compiler {
         const NodeDesc& node = scene_.nodes[placed.node];
         Instance instance;
         if (!placeInstance(node, placed.toWorld, instance.transform)) return;
+        instance.objectScale = instance.transform.similarityToObject();
         instance.shape = shapeOf(node.geometry);
         if (instance.shape == kNone) return;
         instance.look = lookOf(placed);

@@ -232,6 +232,18 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
     return true;
 }
 
+double Transform::similarityToObject() const {
+    const Mat3& m = toObject_.linear;
+    const double squared = glm::dot(m[0], m[0]);
+    for (int c = 0; c < 3; ++c) {
+        const Vec3& next = m[(c + 1) % 3];
+        const bool alike = std::fabs(glm::dot(m[c], m[c]) - squared) <= kSimilarityError * squared;
+        const bool upright = std::fabs(glm::dot(m[c], next)) <= kSimilarityError * squared;
+        if (!alike || !upright) return 0.0;
+    }
+    return std::sqrt(squared);
+}
+
 Ray Transform::toObject(const Ray& world) const {
     if (identity_) return world;
     const Mat3& m = toObject_.linear;

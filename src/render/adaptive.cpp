@@ -1,38 +1,55 @@
 #include "rt/render/adaptive.h"
 
+#include "price_list.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace rt {
 namespace {
 
-/// What one doubling leaves of a pixel's squared error: between N^-1 and N^-1.5 of well-spread
-/// samples over discontinuities (Mitchell, Consequences of Stratified Sampling in Graphics,
-/// SIGGRAPH 1996), measured at 0.4.
+/// What one doubling leaves of a squared error: between N^-1 and N^-1.5 of well-spread samples over
+/// discontinuities (Mitchell, Consequences of Stratified Sampling in Graphics, SIGGRAPH 1996),
+/// measured at 0.4.
 constexpr double kLeftByDoubling = 0.4;
 
 /// Share of the contrast to the neighbours that a pixel with one sample might be off.
 constexpr double kContrastDoubt = 0.125;
 
+/// What a further sample of the lights costs at a corner, and looking through it again, in samples
+/// of a pixel.
+constexpr double kLightPrice = 0.4;
+constexpr double kLookPrice = 0.5;
+
+/// What the first samples of a pixel leave of the squared error that it had as a smooth one.
+constexpr double kLeftBySampling = 0.25;
+
+/// Biases below this share of the target's square are left alone: all together they could not take
+/// more of it.
+constexpr double kSmallBias = 1.0 / 16;
+
 double clip(double value) {
     return std::clamp(value, 0.0, 1.0);
 }
 
-double ownSquaredError(const PixelState& pixel) {
-    const std::uint64_t first = pixel.samples / 2;
-    const std::uint64_t second = pixel.samples - first;
+/// ((A - B) / 2)^2, mean over the channels, of the halves `half` and `sum` - `half`.
+template <class Sum>
+double halvesApart(const Sum& sum, const Sum& half, std::uint64_t samples) {
+    const std::uint64_t first = samples / 2;
     if (first == 0) return 0.0;
-    double sum = 0.0;
+    const auto a = 1.0 / static_cast<double>(first);
+    const auto b = 1.0 / static_cast<double>(samples - first);
+    double squares = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
-        const double a = pixel.half[channel] / static_cast<double>(first);
-        const double b = (pixel.sum[channel] - pixel.half[channel]) / static_cast<double>(second);
-        const double difference = 0.5 * (clip(a) - clip(b));
-        sum += difference * difference;
+        const auto first_ = static_cast<double>(half[channel]);
+        const auto second = static_cast<double>(sum[channel]) - first_;
+        const double difference = 0.5 * (clip(first_ * a) - clip(second * b));
+        squares += difference * difference;
     }
-    return sum / 3.0;
+    return squares / 3.0;
 }
 
-/// Calls use(x, y) for a pixel and its up to eight neighbours, row by row.
+/// Calls use(x, y) for a place and its up to eight neighbours, row by row.
 template <class Use>
 void forNeighbourhood(const Tile& area, int x, int y, Use&& use) {
     for (int v = std::max(y - 1, area.y0); v < std::min(y + 2, area.y1); ++v) {
@@ -40,104 +57,264 @@ void forNeighbourhood(const Tile& area, int x, int y, Use&& use) {
     }
 }
 
-/// Mean over the channels of the squared span of values in the neighbourhood.
-double squaredContrast(const Film& film, int x, int y) {
+}  // namespace
+
+/// A pixel or a corner that could get more samples.
+struct Adaptive::Work {
+    enum class Kind { kPixel, kCorner, kSmooth } kind;
+    std::size_t place;
+    double error;  ///< what it adds to the sum of the pixels' squared errors
+    double doubt;  ///< the same, and what may have been missed
+    double cost;   ///< of the next step
+    int steps;     ///< how often it may double
+    double left;   ///< of the error, by one step
+};
+
+Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
+    : film_(film),
+      lattice_(lattice),
+      width_(static_cast<std::size_t>(film.area.width())),
+      fine_(std::move(fine)),
+      kind_(film.pixels.size(), Kind::kSampled),
+      pixelError_(film.pixels.size()) {
+    if (lattice_) {
+        smoothPixels_.emplace(*lattice_);
+        bias_.resize(film.pixels.size());
+        variance_.resize(lattice_->probes.size());
+    }
+    ownError_.resize(std::max(pixelError_.size(), variance_.size()));
+    listPlaces();
+}
+
+void Adaptive::classify(double squaredBiasLimit) {
+    if (!lattice_) return;
+    for (std::size_t i = 0; i < variance_.size(); ++i) {
+        if (lattice_->probes[i].has(kProbeUncertain)) uncertainCorners_.push_back(i);
+    }
+    updateCorners();
+    smoothPixels_->measure();
+    for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
+        const std::size_t corner = cornerOf(pixel);
+        if ((!fine_.empty() && fine_[pixel]) || !smoothPixels_->isSmooth(corner)) continue;
+        updateSmooth(pixel);
+        if (bias_[pixel] > squaredBiasLimit) continue;
+        kind_[pixel] = smoothPixels_->isUncertain(corner) ? Kind::kUncertain : Kind::kSmooth;
+    }
+    listPlaces();
+}
+
+void Adaptive::listPlaces() {
+    sampled_.clear();
+    uncertainPixels_.clear();
+    for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
+        if (kind_[pixel] == Kind::kSampled) sampled_.push_back(pixel);
+        if (kind_[pixel] == Kind::kUncertain) uncertainPixels_.push_back(pixel);
+    }
+}
+
+void Adaptive::updateCorners() {
+    for (const std::size_t i : uncertainCorners_) {
+        const Probe& probe = lattice_->probes[i];
+        ownError_[i] = halvesApart(probe.sum, probe.half, probe.samples);
+    }
+    const std::size_t stride = lattice_->stride();
+    for (const std::size_t i : uncertainCorners_) {
+        const Probe& probe = lattice_->probes[i];
+        double sum = 0.0;
+        double count = 0.0;
+        const int x = lattice_->corners.x0 + static_cast<int>(i % stride);
+        const int y = lattice_->corners.y0 + static_cast<int>(i / stride);
+        forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
+            const std::size_t j = lattice_->offset(u, v);
+            const Probe& other = lattice_->probes[j];
+            if (!other.has(kProbeUncertain)) return;
+            const double ratio = static_cast<double>(other.samples) / probe.samples;
+            sum += ownError_[j] * ratio * std::sqrt(ratio);
+            count += 1.0;
+        });
+        variance_[i] = sum / count;
+    }
+}
+
+/// Mean of the variances of the corners of the pixel with this upper left corner.
+double Adaptive::noiseAround(std::size_t corner) const {
+    const std::size_t below = corner + lattice_->stride();
+    return 0.25 *
+           (variance_[corner] + variance_[corner + 1] + variance_[below] + variance_[below + 1]);
+}
+
+void Adaptive::updateSmooth(std::size_t pixel) {
+    const std::size_t corner = cornerOf(pixel);
+    const double noise = noiseAround(corner);
+    bias_[pixel] = smoothPixels_->at(corner, noise).squaredBias;
+    pixelError_[pixel] = bias_[pixel] + 0.25 * noise;
+}
+
+void Adaptive::updateSampled() {
+    for (const std::size_t i : sampled_) {
+        const PixelState& pixel = film_.pixels[i];
+        ownError_[i] = halvesApart(pixel.sum, pixel.half, pixel.samples);
+    }
+    for (const std::size_t i : sampled_) {
+        const auto samples = static_cast<double>(film_.pixels[i].samples);
+        double sum = 0.0;
+        double count = 0.0;
+        const int x = film_.area.x0 + static_cast<int>(i % width_);
+        const int y = film_.area.y0 + static_cast<int>(i / width_);
+        forNeighbourhood(film_.area, x, y, [&](int u, int v) {
+            const std::size_t j = film_.offset(u, v);
+            if (isSmooth(j) || film_.pixels[j].samples == 0) return;
+            sum += ownError_[j] * static_cast<double>(film_.pixels[j].samples) / samples;
+            count += 1.0;
+        });
+        pixelError_[i] = count > 0.0 ? sum / count : 0.0;
+    }
+}
+
+void Adaptive::update() {
+    if (lattice_) {
+        updateCorners();
+        for (const std::size_t i : uncertainCorners_) smoothPixels_->measure(i);
+        for (const std::size_t pixel : uncertainPixels_) updateSmooth(pixel);
+    }
+    updateSampled();
+    double sum = 0.0;
+    for (const double error : pixelError_) sum += error;
+    squaredError_ = pixelError_.empty() ? 0.0 : sum / static_cast<double>(pixelError_.size());
+}
+
+/// What the contrast to the neighbours says that a sampled pixel might have missed.
+double Adaptive::doubtOf(std::size_t pixel) const {
+    const auto width = static_cast<std::size_t>(film_.area.width());
+    const int x = film_.area.x0 + static_cast<int>(pixel % width);
+    const int y = film_.area.y0 + static_cast<int>(pixel / width);
     Color low(kInfinity);
     Color high(-kInfinity);
-    forNeighbourhood(film.area, x, y, [&](int u, int v) {
-        const Color mean = glm::clamp(film.at(u, v).mean(), 0.0, 1.0);
+    forNeighbourhood(film_.area, x, y, [&](int u, int v) {
+        const Color mean = glm::clamp(film_.at(u, v).mean(), 0.0, 1.0);
         low = glm::min(low, mean);
         high = glm::max(high, mean);
     });
     const Color span = high - low;
-    return glm::dot(span, span) / 3.0;
+    const auto samples = static_cast<double>(film_.pixels[pixel].samples);
+    return kContrastDoubt * kContrastDoubt * glm::dot(span, span) / 3.0 /
+           (samples * std::sqrt(samples));
 }
 
-/// A pixel as the plan sees it.
-struct Candidate {
-    double squaredError;
-    double doubt;  ///< squaredError, and what the contrast adds
-    double samples;
-    double most;
-};
-
-/// Doubles every candidate while it gains more than `price` a sample; the image's mean squared
-/// error after that, as predicted.
-double meanAfter(const std::vector<Candidate>& candidates, double price) {
-    double sum = 0.0;
-    for (const Candidate& candidate : candidates) {
-        double left = 1.0;
-        double samples = candidate.samples;
-        while (candidate.doubt * left > price * samples && 2.0 * samples <= candidate.most) {
-            left *= kLeftByDoubling;
-            samples *= 2.0;
-        }
-        sum += candidate.squaredError * left;
+std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
+    const auto stepsFrom = [&](std::uint64_t samples) {
+        int steps = 0;
+        for (std::uint64_t n = 2 * samples; n <= goal.maxSamples; n *= 2) ++steps;
+        return steps;
+    };
+    std::vector<Work> work;
+    for (const std::size_t i : sampled_) {
+        const double error = pixelError_[i];
+        const int steps = stepsFrom(film_.pixels[i].samples);
+        if (steps == 0) continue;
+        work.push_back({Work::Kind::kPixel, i, error, error + doubtOf(i),
+                        static_cast<double>(film_.pixels[i].samples), steps, kLeftByDoubling});
     }
-    return sum / static_cast<double>(candidates.size());
-}
-
-/// The highest price, within a few per cent, at which the image would meet the target.
-double priceFor(const std::vector<Candidate>& candidates, double squaredTarget) {
-    double low = 1e-18;  // below any error that a double-precision image can show
-    double high = 1.0;
-    for (int step = 0; step < 40; ++step) {
-        const double middle = std::sqrt(low * high);
-        (meanAfter(candidates, middle) <= squaredTarget ? low : high) = middle;
+    if (!lattice_) return work;
+    const double enough = kSmallBias * goal.squaredTarget;
+    for (std::size_t i = 0; i < kind_.size(); ++i) {
+        if (!isSmooth(i) || bias_[i] <= enough) continue;
+        work.push_back({Work::Kind::kSmooth, i, pixelError_[i], pixelError_[i],
+                        static_cast<double>(goal.firstSamples), 1, kLeftBySampling});
     }
-    return low;
-}
-
-}  // namespace
-
-std::vector<double> squaredErrors(const Film& film) {
-    std::vector<double> own(film.pixels.size());
-    std::transform(film.pixels.begin(), film.pixels.end(), own.begin(), ownSquaredError);
-    std::vector<double> pooled;
-    pooled.reserve(own.size());
-    for (int y = film.area.y0; y < film.area.y1; ++y) {
-        for (int x = film.area.x0; x < film.area.x1; ++x) {
-            double sum = 0.0;
-            int count = 0;
-            forNeighbourhood(film.area, x, y, [&](int u, int v) {
-                sum += own[film.offset(u, v)];
-                ++count;
-            });
-            pooled.push_back(sum / count);
+    std::vector<std::uint8_t> smoothAround(variance_.size());
+    const std::size_t stride = lattice_->stride();
+    for (const std::size_t i : uncertainPixels_) {
+        const std::size_t corner = cornerOf(i);
+        for (const std::size_t j : {corner, corner + 1, corner + stride, corner + stride + 1}) {
+            ++smoothAround[j];
         }
     }
-    return pooled;
+    for (const std::size_t i : uncertainCorners_) {
+        const double error = variance_[i] * smoothAround[i] / 16.0;
+        if (!(error > 0.0)) continue;
+        const auto samples = lattice_->probes[i].samples;
+        work.push_back({Work::Kind::kCorner, i, error, error, kLightPrice * samples + kLookPrice,
+                        stepsFrom(samples), kLeftByDoubling});
+    }
+    return work;
 }
 
-double rootMean(const std::vector<double>& squaredErrors) {
-    double sum = 0.0;
-    for (const double error : squaredErrors) sum += error;
-    return squaredErrors.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(squaredErrors.size()));
+AdaptivePass Adaptive::standing() const {
+    AdaptivePass pass;
+    pass.pixels.reserve(film_.pixels.size());
+    for (const PixelState& pixel : film_.pixels) {
+        pass.pixels.push_back(static_cast<std::uint32_t>(pixel.samples));
+    }
+    return pass;
 }
 
-std::vector<std::uint32_t> nextSamples(const Film& film, const std::vector<double>& squaredErrors,
-                                       const AdaptiveGoal& goal) {
-    std::vector<Candidate> candidates;
-    candidates.reserve(film.pixels.size());
-    for (int y = film.area.y0; y < film.area.y1; ++y) {
-        for (int x = film.area.x0; x < film.area.x1; ++x) {
-            const double error = squaredErrors[film.offset(x, y)];
-            const auto samples = static_cast<double>(film.at(x, y).samples);
-            const double doubt = error + kContrastDoubt * kContrastDoubt *
-                                             squaredContrast(film, x, y) /
-                                             (samples * std::sqrt(samples));
-            candidates.push_back({error, doubt, samples, static_cast<double>(goal.maxSamples)});
+AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
+    const std::vector<Work> work = openWork(goal);
+    PriceList prices(squaredError_ * static_cast<double>(film_.pixels.size()));
+    for (const Work& item : work) {
+        double error = item.error;
+        double doubt = item.doubt;
+        double cost = item.cost;
+        for (int step = 0; step < item.steps; ++step) {
+            prices.offer(doubt / cost, error * (1.0 - item.left));
+            error *= item.left;
+            doubt *= item.left;
+            cost *= 2.0;
         }
     }
-    const double price = priceFor(candidates, goal.squaredTarget);
-    std::vector<std::uint32_t> ends;
-    ends.reserve(candidates.size());
-    for (const Candidate& candidate : candidates) {
-        const bool worth = candidate.doubt > price * candidate.samples;
-        const bool allowed = 2.0 * candidate.samples <= candidate.most;
-        ends.push_back(static_cast<std::uint32_t>(candidate.samples * (worth && allowed ? 2 : 1)));
+    const double price =
+        prices.priceFor(goal.squaredTarget * static_cast<double>(film_.pixels.size()));
+
+    AdaptivePass pass = standing();
+    if (lattice_) {
+        pass.corners.reserve(lattice_->probes.size());
+        for (const Probe& probe : lattice_->probes) pass.corners.push_back(probe.samples);
     }
-    return ends;
+    bool sampledMore = false;
+    for (const Work& item : work) {
+        if (item.steps == 0 || !PriceList::isAtLeast(item.doubt / item.cost, price)) continue;
+        std::uint32_t& end =
+            item.kind == Work::Kind::kCorner ? pass.corners[item.place] : pass.pixels[item.place];
+        const std::uint32_t before = end;
+        if (item.kind == Work::Kind::kSmooth) {
+            kind_[item.place] = Kind::kSampled;
+            sampledMore = true;
+            end = goal.firstSamples;
+        } else {
+            end *= 2;
+        }
+        pass.more += end - before;
+    }
+    if (sampledMore) listPlaces();
+    return pass;
+}
+
+AdaptivePass Adaptive::first(std::uint32_t samples) const {
+    AdaptivePass pass = standing();
+    for (const std::size_t i : sampled_) pass.pixels[i] = samples;
+    pass.more = sampled_.size() * samples;
+    return pass;
+}
+
+AdaptivePass Adaptive::doubled(std::uint32_t most) const {
+    AdaptivePass pass = standing();
+    for (std::uint32_t& end : pass.pixels) {
+        if (2 * end > most) continue;
+        pass.more += end;
+        end *= 2;
+    }
+    return pass;
+}
+
+void Adaptive::settle() {
+    if (!lattice_) return;
+    for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
+        if (!isSmooth(pixel)) continue;
+        const std::size_t corner = cornerOf(pixel);
+        const SmoothPixel found = smoothPixels_->at(corner, noiseAround(corner));
+        film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
+    }
 }
 
 }  // namespace rt

@@ -3,12 +3,14 @@
 #include "rt/core/cpu_time.h"
 #include "rt/core/parallel.h"
 #include "rt/render/adaptive.h"
+#include "rt/render/fine_pixels.h"
+#include "rt/render/lattice.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <numeric>
+#include <optional>
 
 namespace rt {
 namespace {
@@ -53,6 +55,18 @@ class Run {
         });
     }
 
+    /// Brings the corners to their numbers of samples in `ends`, ordered as the lattice is.
+    void probe(const std::vector<std::uint32_t>& ends, Lattice& lattice, double from, double to) {
+        tilesDone_ = 0;
+        const std::vector<Tile> tiles = tilesOf(lattice.corners);
+        probeCounts_.resize(tiles.size());
+        forEachIndex(tiles.size(), job_.threads, [&](std::size_t index, int) {
+            if (stopped()) return;
+            probeTile(tiles[index], ends, lattice, probeCounts_[index]);
+            if (to > from) report(from, to);
+        });
+    }
+
     bool cancelled() const { return job_.cancel && job_.cancel->load(std::memory_order_relaxed); }
     bool outOfTime() const {
         return job_.timeLimit > 0.0 && secondsSince(start_) >= job_.timeLimit;
@@ -63,6 +77,7 @@ class Run {
     /// Summed in the order of the tiles, so that the rounding is always the same.
     TraceCounts counts() const {
         TraceCounts total;
+        for (const TraceCounts& counts : probeCounts_) total.add(counts);
         for (const TraceCounts& counts : counts_) total.add(counts);
         return total;
     }
@@ -74,6 +89,27 @@ class Run {
     }
 
   private:
+    void probeTile(const Tile& tile, const std::vector<std::uint32_t>& ends, Lattice& lattice,
+                   TraceCounts& counts) {
+        std::vector<Probe> probes;
+        std::vector<std::uint32_t> tileEnds;
+        bool any = false;
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            const std::size_t row = lattice.offset(tile.x0, y);
+            for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width()); ++i) {
+                any = any || ends[i] > lattice.probes[i].samples;
+                probes.push_back(lattice.probes[i]);
+                tileEnds.push_back(ends[i]);
+            }
+        }
+        if (!any) return;
+        job_.kernel->probeTile(scene_, settings_, tile, tileEnds.data(), probes.data(), counts);
+        const Probe* done = probes.data();
+        for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
+            std::copy(done, done + tile.width(), &lattice.probes[lattice.offset(tile.x0, y)]);
+        }
+    }
+
     void renderTile(std::size_t index, const std::vector<std::uint32_t>& ends) {
         const Tile& tile = tiles_[index];
         std::vector<PixelState> pixels;
@@ -111,6 +147,7 @@ class Run {
     Film& film_;
     std::vector<Tile> tiles_;
     std::vector<TraceCounts> counts_;
+    std::vector<TraceCounts> probeCounts_;
     Clock::time_point start_ = Clock::now();
     std::mutex progressMutex_;
     std::size_t tilesDone_ = 0;
@@ -133,34 +170,75 @@ bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
     return !run.stopped();
 }
 
-std::vector<std::uint32_t> twiceAsMany(const Film& film, std::uint64_t most) {
-    const std::uint64_t samples = film.pixels.empty() ? 0 : film.pixels.front().samples;
-    return uniform(film, 2 * samples <= most ? 2 * samples : samples);
+/// Corners can stand for pixels where a pixel is the plain mean of what is seen through it.
+bool mayShareCorners(const RenderScene& scene, const RenderJob& job) {
+    return job.adaptive && job.settings.sampler == SamplerKind::kJoint &&
+           job.settings.filter == FilterKind::kBox && !scene.camera.hasLens();
 }
 
-/// Passes that double the samples where that helps most, until the estimate meets the target.
-bool renderAdaptive(Run& run, const RenderJob& job, const Film& film) {
-    AdaptiveGoal goal;
-    goal.maxSamples = static_cast<std::uint32_t>(job.settings.spp);
-    goal.firstSamples = std::min(goal.firstSamples, goal.maxSamples);
-    double share = 0.25;
-    run.pass(uniform(film, goal.firstSamples), 0.0, share);
-    while (!run.stopped()) {
-        const std::vector<double> errors = squaredErrors(film);
-        const double allowed = job.errorTarget - run.cutError();
-        if (rootMean(errors) <= allowed) return true;
-        goal.squaredTarget = std::max(allowed, 0.0) * std::max(allowed, 0.0);
-        const std::vector<std::uint32_t> ends =
-            job.adaptive ? nextSamples(film, errors, goal) : twiceAsMany(film, goal.maxSamples);
-        std::uint64_t more = 0;
-        for (std::size_t i = 0; i < ends.size(); ++i) more += ends[i] - film.pixels[i].samples;
-        if (more == 0) return false;
+/// Samples of the lights that a corner gets first.
+constexpr std::uint32_t kFirstLightSamples = 2;
+
+/// A smooth pixel's bias, as a share of the error target, above which it is sampled from the start.
+constexpr double kBiasLimit = 4.0;
+
+/// Towards an error target: probes at the corners of pixels, samples where those do not do, and
+/// passes that double where that helps most, until the estimate meets the target.
+class TowardsTarget {
+  public:
+    TowardsTarget(const RenderScene& scene, Run& run, const RenderJob& job, Film& film)
+        : run_(run), job_(job), film_(film) {
+        if (mayShareCorners(scene, job)) lattice_.emplace(job.area);
+        adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr,
+                          lattice_ ? finePixels(scene, job.area) : std::vector<bool>{});
+    }
+
+    bool render() {
+        AdaptiveGoal goal;
+        goal.maxSamples = static_cast<std::uint32_t>(job_.settings.spp);
+        goal.firstSamples = std::min(goal.firstSamples, goal.maxSamples);
+        double share = 0.0;
+        if (lattice_) {
+            share = 0.2;
+            run_.probe(std::vector<std::uint32_t>(lattice_->probes.size(), kFirstLightSamples),
+                       *lattice_, 0.0, share);
+            const double bias = kBiasLimit * job_.errorTarget;
+            if (!run_.stopped()) adaptive_->classify(bias * bias);
+        }
+        advance(adaptive_->first(goal.firstSamples), share);
+        bool reached = false;
+        while (!run_.stopped() && !reached) {
+            adaptive_->update();
+            const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
+            goal.squaredTarget = allowed * allowed;
+            reached = adaptive_->squaredError() <= goal.squaredTarget;
+            if (reached) break;
+            const AdaptivePass pass =
+                job_.adaptive ? adaptive_->next(goal) : adaptive_->doubled(goal.maxSamples);
+            if (pass.more == 0) break;
+            advance(pass, share);
+        }
+        adaptive_->update();
+        adaptive_->settle();
+        return reached;
+    }
+
+    double squaredError() const { return adaptive_->squaredError(); }
+
+  private:
+    void advance(const AdaptivePass& pass, double& share) {
         const double next = 0.5 * (1.0 + share);
-        run.pass(ends, share, next);
+        if (lattice_ && !pass.corners.empty()) run_.probe(pass.corners, *lattice_, share, share);
+        run_.pass(pass.pixels, share, next);
         share = next;
     }
-    return false;
-}
+
+    Run& run_;
+    const RenderJob& job_;
+    Film& film_;
+    std::optional<Lattice> lattice_;
+    std::optional<Adaptive> adaptive_;
+};
 
 bool hasHalves(const Film& film) {
     return std::all_of(film.pixels.begin(), film.pixels.end(),
@@ -187,14 +265,22 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
     Run run(scene, job, outcome.film);
-    outcome.converged = job.errorTarget > 0.0 ? renderAdaptive(run, job, outcome.film)
-                                              : renderUniform(run, job, outcome.film);
+    if (job.errorTarget > 0.0) {
+        TowardsTarget towards(scene, run, job, outcome.film);
+        outcome.converged = towards.render();
+        outcome.errorEstimate = std::sqrt(towards.squaredError()) + run.cutError();
+    } else {
+        outcome.converged = renderUniform(run, job, outcome.film);
+        Adaptive estimate(outcome.film, nullptr, {});
+        estimate.update();
+        if (hasHalves(outcome.film)) {
+            outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
+        }
+    }
     outcome.counts = run.counts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
-    if (!outcome.cancelled && hasHalves(outcome.film)) {
-        outcome.errorEstimate = rootMean(squaredErrors(outcome.film)) + run.cutError();
-    }
+    if (outcome.cancelled) outcome.errorEstimate.reset();
     outcome.seconds = run.seconds();
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;

@@ -18,6 +18,14 @@ Camera::Camera(const Frame& frame, int width, int height)
     perPixelDown_ = -pixel * up_;
 }
 
+Camera::Projection Camera::project(const Vec3& p) const {
+    const Vec3 offset = p - eye_;
+    const double depth = glm::dot(offset, forward_);
+    const double perPixel = pixelSize() * depth;
+    return {centre_.x + glm::dot(offset, right_) / perPixel,
+            centre_.y - glm::dot(offset, up_) / perPixel, depth};
+}
+
 Ray Camera::ray(double x, double y, const Vec2& lens) const {
     const Vec3 through =
         forward_ + (x - centre_.x) * perPixelRight_ + (y - centre_.y) * perPixelDown_;

@@ -22,7 +22,12 @@ void renderTile(const RenderScene& scene, const TraceSettings& settings, const T
     tileRendererFor(scene.features)(scene, settings, tile, ends, pixels, counts);
 }
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &intersectShape};
+void probeTile(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
+               const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
+    tileProberFor(scene.features)(scene, settings, corners, ends, probes, counts);
+}
+
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &probeTile, &intersectShape};
 
 }  // namespace
 }  // namespace rt

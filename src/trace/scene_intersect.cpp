@@ -128,13 +128,16 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
     return true;
 }
 
-bool anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
-    return traverseAny(scene.tree, ray, range, [&](Index item) {
-        const Instance& instance = scene.instances[item];
-        return inObjectSpace(instance.transform, ray, [&](const Ray& local) {
-            return std::visit(MeetsShape{local, range}, scene.shapes[instance.shape]);
-        });
+bool instanceBlocks(const RenderScene& scene, Index item, const Ray& ray, Interval range) {
+    const Instance& instance = scene.instances[item];
+    return inObjectSpace(instance.transform, ray, [&](const Ray& local) {
+        return std::visit(MeetsShape{local, range}, scene.shapes[instance.shape]);
     });
+}
+
+bool anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
+    return traverseAny(scene.tree, ray, range,
+                       [&](Index item) { return instanceBlocks(scene, item, ray, range); });
 }
 
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,

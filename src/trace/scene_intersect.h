@@ -22,6 +22,9 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
 /// Whether anything is hit at all.
 bool anyHit(const RenderScene& scene, const Ray& ray, Interval range);
 
+/// Whether one instance is hit in the range.
+bool instanceBlocks(const RenderScene& scene, Index instance, const Ray& ray, Interval range);
+
 /// Every crossing in the range, of any instance, in no particular order.
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings);

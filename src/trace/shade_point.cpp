@@ -57,6 +57,7 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
 
     if (glm::dot(point.geometricNormal, rayDirection) > 0.0) {
         point.geometricNormal = -point.geometricNormal;
+        point.fromInside = true;
         // From behind, the interpolated surface bulges the other way: rays start on the triangle.
         point.shadowOrigin = point.position;
     }

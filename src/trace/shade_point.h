@@ -12,7 +12,8 @@ struct ShadePoint {
     Vec3 shadowOrigin{0.0};     ///< where shadow rays start; off `position` on smooth meshes only
     /// Secondary rays start this far off the surface: more than the error of `position`.
     double clearance = 0.0;
-    Material material;  ///< with the texture's colour put in
+    bool fromInside = false;  ///< the ray came from where the surface's own normal does not point
+    Material material;        ///< with the texture's colour put in
 
     /// Start of a ray that leaves in direction w from `from`, on w's side of the surface.
     Vec3 leave(const Vec3& from, const Vec3& w) const {

@@ -4,6 +4,7 @@
 #include "rt/sampling/warp.h"
 #include "rt/shading/fresnel.h"
 #include "rt/shading/phong.h"
+#include "tracer_probe.h"
 #include "tracer_variants.h"
 
 #include <algorithm>
@@ -30,44 +31,51 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     raysLeft_ = settings_.raysPerSample;
     ++counts_.rays.camera;
 
-    Color sum(0.0);
+    SampleSum sum;
+    gather(std::move(path), sum);
+    return at.weight * sum.value;
+}
+
+template <unsigned Features>
+template <class Sum>
+void Tracer<Features>::gather(Path path, Sum& sum) {
     follow(std::move(path), sum);
     while (!pending_.empty()) {
         Path next = std::move(pending_.back());
         pending_.pop_back();
         follow(std::move(next), sum);
     }
-    return at.weight * sum;
 }
 
 template <unsigned Features>
-void Tracer<Features>::follow(Path path, Color& sum) {
+template <class Sum>
+void Tracer<Features>::follow(Path path, Sum& sum) {
     for (;;) {
         SceneHit hit;
         if (!nextHit(path.ray, path.media, {}, hit)) {
-            sum += path.weight * scene_.background.at(path.ray.direction);
+            addMiss(path, sum);
             return;
         }
         const ShadePoint point = shadePoint(scene_, hit, path.ray.direction, kImages);
         if constexpr (!kSecondary) {
-            sum += path.weight * ownColor(path, point);
+            addOwn(path, 1.0, hit, point, sum);
             return;
         } else {
             MediumSet beyond = beyondHit(path.media);
             Split parts = split(path, hit, point, beyond);
             cutSmall(path, parts.reflected, parts);
             cutSmall(path, parts.refracted, parts);
-            if (parts.own > 0.0) sum += path.weight * parts.own * ownColor(path, point);
+            if (parts.own > 0.0) addOwn(path, parts.own, hit, point, sum);
 
             Path through;
             if (parts.refracted > 0.0) {
                 ++counts_.rays.refraction;
-                through = spawn(path, point, parts.refractedDirection, parts.refracted, 1);
+                through = spawn(path, hit, point, parts.refractedDirection, parts.refracted, 1);
                 through.media = std::move(beyond);
             }
             if (parts.reflected > 0.0) {
                 ++counts_.rays.reflection;
-                Path mirror = spawn(path, point, parts.reflectedDirection, parts.reflected, 0);
+                Path mirror = spawn(path, hit, point, parts.reflectedDirection, parts.reflected, 0);
                 mirror.media = std::move(path.media);
                 if (parts.refracted > 0.0) {
                     pending_.push_back(std::move(mirror));
@@ -193,15 +201,28 @@ void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
 }
 
 template <unsigned Features>
-typename Tracer<Features>::Path Tracer<Features>::spawn(const Path& from, const ShadePoint& point,
+typename Tracer<Features>::Path Tracer<Features>::spawn(const Path& from, const SceneHit& hit,
+                                                        const ShadePoint& point,
                                                         const Vec3& direction, double part,
                                                         unsigned branch) const {
     Path path;
     path.ray = {point.leave(point.position, direction), direction};
     path.weight = from.weight * part;
     path.depth = from.depth + 1;
+    path.travelled = from.travelled + hit.at.t;
     path.node = 2 * from.node + branch;
     return path;
+}
+
+template <unsigned Features>
+void Tracer<Features>::addMiss(const Path& path, SampleSum& sum) const {
+    sum.value += path.weight * scene_.background.at(path.ray.direction);
+}
+
+template <unsigned Features>
+void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit&,
+                              const ShadePoint& point, SampleSum& sum) {
+    sum.value += path.weight * own * ownColor(path, point);
 }
 
 template <unsigned Features>
@@ -224,13 +245,19 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
             w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
         }
     }
-    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
-    const Color local =
-        view->weight * view->irradiance *
-        phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
+    const Color local = lightAlong(w, light, *view, path, point);
     if (local == Color(0.0)) return local;
     const Ray ray{point.leave(point.shadowOrigin, w), w};
     return visibility(ray, view->reach(w), path.media) * local;
+}
+
+/// What light from direction w would bring, with nothing in its way.
+template <unsigned Features>
+Color Tracer<Features>::lightAlong(const Vec3& w, const Light& light, const LightView& view,
+                                   const Path& path, const ShadePoint& point) const {
+    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
+    return view.weight * view.irradiance *
+           phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
 }
 
 /// V of the specification. A surface that the light itself lies on does not hide it.
@@ -338,6 +365,18 @@ void renderTileWith(const RenderScene& scene, const TraceSettings& settings, con
     }
 }
 
+template <unsigned Features>
+void probeTileWith(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
+                   const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
+    Tracer<Features> tracer(scene, settings, counts);
+    for (int y = corners.y0; y < corners.y1; ++y) {
+        if (settings.cancel && settings.cancel->load(std::memory_order_relaxed)) return;
+        for (int x = corners.x0; x < corners.x1; ++x, ++probes, ++ends) {
+            if (*ends > probes->samples) tracer.probe(x, y, *ends, *probes);
+        }
+    }
+}
+
 constexpr unsigned kVariantFeatures =
     kFeatureReflection | kFeatureRefraction | kFeatureImages | kFeatureAreaLights;
 
@@ -347,11 +386,17 @@ constexpr unsigned variantOf(unsigned features) {
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
 }
 
+struct Variant {
+    TileRenderer render = nullptr;
+    TileProber probe = nullptr;
+};
+
 template <unsigned... Bits>
-TileRenderer variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
-    TileRenderer found = nullptr;
-    ((variantOf(Bits) == variantOf(features) ? void(found = &renderTileWith<variantOf(Bits)>)
-                                             : void()),
+Variant variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
+    Variant found;
+    ((variantOf(Bits) == variantOf(features)
+          ? void(found = {&renderTileWith<variantOf(Bits)>, &probeTileWith<variantOf(Bits)>})
+          : void()),
      ...);
     return found;
 }
@@ -359,7 +404,12 @@ TileRenderer variantFor(unsigned features, std::integer_sequence<unsigned, Bits.
 }  // namespace
 
 TileRenderer tileRendererFor(unsigned features) {
-    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{});
+    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{})
+        .render;
+}
+
+TileProber tileProberFor(unsigned features) {
+    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{}).probe;
 }
 
 }  // namespace rt

@@ -8,6 +8,7 @@
 #include "rt/trace/trace_kernel.h"
 #include "scene_intersect.h"
 #include "shade_point.h"
+#include "shadow_hull.h"
 
 #include <vector>
 
@@ -23,6 +24,9 @@ class Tracer {
     /// The value of sample number `index` of pixel (x, y), times its filter weight.
     Color sample(int x, int y, int index);
 
+    /// Looks through corner (x, y) once and samples the lights there until they have `end` samples.
+    void probe(int x, int y, std::uint32_t end, Probe& probe);
+
   private:
     static constexpr bool kImages = (Features & kFeatureImages) != 0;
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
@@ -35,6 +39,7 @@ class Tracer {
         Ray ray;
         double weight = 1.0;  ///< of its value in the sample
         int depth = 0;
+        double travelled = 0.0;  ///< from the eye to the ray's origin
         /// Names the place in the tree of paths: what n mirrors is 2n, what shines through is 2n+1.
         std::uint32_t node = 1;
         MediumSet media;  ///< the solids that the ray is inside
@@ -49,7 +54,36 @@ class Tracer {
         Vec3 refractedDirection{0.0};
     };
 
-    void follow(Path path, Color& sum);
+    /// The value of one sample.
+    struct SampleSum {
+        Color value{0.0};
+    };
+
+    /// What one look gathers for a probe: samples [begin, middle) and [middle, end).
+    struct ProbeSum {
+        std::uint32_t begin, middle, end;
+        Color first{0.0};
+        Color second{0.0};
+        unsigned lightsSeen = 0;
+        Probe* evidence;
+
+        void addToAll(const Color& c) {
+            first += static_cast<double>(middle - begin) * c;
+            second += static_cast<double>(end - middle) * c;
+        }
+    };
+
+    /// All values along the tree of paths that starts with `path`.
+    template <class Sum>
+    void gather(Path path, Sum& sum);
+    template <class Sum>
+    void follow(Path path, Sum& sum);
+    void addMiss(const Path& path, SampleSum& sum) const;
+    void addMiss(const Path& path, ProbeSum& sum) const;
+    void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
+                SampleSum& sum);
+    void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
+                ProbeSum& sum);
     bool nextHit(const Ray& ray, const MediumSet& media, Interval range, SceneHit& hit);
     MediumSet beyondHit(const MediumSet& media) const;
     Split split(const Path& path, const SceneHit& hit, const ShadePoint& point,
@@ -57,11 +91,21 @@ class Tracer {
     void shineThrough(const Path& path, const SceneHit& hit, const ShadePoint& point,
                       const MediumSet& beyond, Split& parts) const;
     void cutSmall(const Path& path, double& part, Split& parts);
-    Path spawn(const Path& from, const ShadePoint& point, const Vec3& direction, double part,
-               unsigned branch) const;
+    Path spawn(const Path& from, const SceneHit& hit, const ShadePoint& point,
+               const Vec3& direction, double part, unsigned branch) const;
 
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
+    Color lightAlong(const Vec3& w, const Light& light, const LightView& view, const Path& path,
+                     const ShadePoint& point) const;
+    void probeLight(Index light, const Path& path, double own, const SceneHit& hit,
+                    const ShadePoint& point, ProbeSum& sum);
+    double probeOccluded(Index light, const LightView& view, const Occluders& occluders,
+                         const Path& path, double own, const ShadePoint& point, ProbeSum& sum);
+    double visibilityPast(const Occluders& occluders, const Ray& ray, double reach,
+                          const MediumSet& media);
+    double footprint(const Path& path, const ShadePoint& point) const;
+    bool allOpaque(const Occluders& occluders) const;
     double visibility(const Ray& ray, double reach, const MediumSet& media);
     double visibilityThroughGlass(Ray ray, double reach, MediumSet media);
     double transmitted(const Vec3& direction, const SceneHit& hit, const ShadePoint& point,

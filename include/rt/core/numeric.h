@@ -139,6 +139,10 @@ inline constexpr double kTorusPointError = gamma(7);
 /// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.2).
 inline constexpr double kLargestCondition = 1.0 / (16 * kUnitRoundoff);
 
+/// A map keeps angles if the products of its columns are alike to this: chains of rotations and even
+/// scales are off by some tens of roundings, and no uneven scale that matters is so small.
+inline constexpr double kSimilarityError = 4096 * kUnitRoundoff;
+
 /// A Newton step on a surface that is met at an angle mends thousands of roundings of the size at
 /// most; longer ones come from grazing rays, which they would not mend.
 inline constexpr double kNewtonReach = 8192 * kUnitRoundoff;

@@ -44,6 +44,9 @@ class Transform {
     /// A mirroring map, of negative determinant.
     bool flips() const { return flips_; }
 
+    /// Lengths in object space for lengths in the world, of a map that keeps angles; 0 of others.
+    double similarityToObject() const;
+
     /// The ray in object space; t means the same point on both. Off by about a rounding of the
     /// result, for maps of condition up to 2^24.
     Ray toObject(const Ray& world) const;

@@ -34,6 +34,11 @@ class Torus {
     /// cannot be told from `range.min` counts as lying there, so that asking again from the t of a
     /// hit never gives the same one.
     [[nodiscard]] bool intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const;
+    /// Whether a hit lies where the tube curves away from its tangent plane: rho >= R, r < R.
+    bool isOuterHalf(const PrimitiveHit& hit) const {
+        const double squared = hit.local.x * hit.local.x + hit.local.y * hit.local.y;
+        return minor_ < major_ && squared >= major_ * major_;
+    }
     /// The normal is along the gradient of the quartic, so on the lemon it points to the centre.
     /// u is the angle about z from x, v the angle on the tube from the outer equator upwards, both
     /// in turns; dpdu x dpdv is along the normal.

@@ -1,36 +1,101 @@
-// Where the next samples go, and when there are enough: decided between passes, from the film
-// alone, in a fixed order, so that neither threads nor tiles can change a byte.
+// Where the next samples go, and when there are enough: decided between passes, from what was
+// gathered alone, in a fixed order, so that neither threads nor tiles can change a byte.
+//
+// A pixel is smooth (it is what its corners are, see lattice.h) or sampled. The squared error of
+// the image is the mean over its pixels of
+//
+//   sampled   ((A - B) / 2)^2 of the means of the two halves A and B of its well-spread samples,
+//             clipped to [0, 1], averaged over the sampled pixels among its neighbours, for one
+//             pixel's difference alone is a coin that often falls on 0;
+//   smooth    its bias, and a sixteenth of the variance of each of its four corners, estimated in
+//             the same way from the halves of their samples of the lights.
 #pragma once
 
 #include "rt/render/film.h"
+#include "rt/render/lattice.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rt {
 
-/// Estimates of the squared error of each pixel's mean, averaged over the channels.
-///
-/// A pixel's samples are halves A and B of one well-spread sequence; ((A - B) / 2)^2, of the means
-/// clipped to [0, 1], estimates the squared error of their mean, and is averaged over the pixel and
-/// its neighbours, for one pixel's difference alone is a coin that often falls on 0.
-std::vector<double> squaredErrors(const Film& film);
-
-/// Root of the mean of `squaredErrors`: the estimated RMSE of the image.
-double rootMean(const std::vector<double>& squaredErrors);
-
+/// What one look at a doubling has to weigh.
 struct AdaptiveGoal {
     double squaredTarget = 0.0;  ///< of the image's mean squared error
     std::uint32_t firstSamples = 4;
     std::uint32_t maxSamples = 4096;
 };
 
-/// How many samples each pixel should have after the next pass: twice as many where that brings
-/// most for its price. Pixels double one after another, most error a sample first, until the image
-/// would meet the goal; those that would double at least once do so now, once. Beside its error, a
-/// pixel counts as in doubt by the contrast to its neighbours, which catches what both halves have
-/// missed. Equal to the present numbers when nothing is left to do.
-std::vector<std::uint32_t> nextSamples(const Film& film, const std::vector<double>& squaredErrors,
-                                       const AdaptiveGoal& goal);
+/// Numbers of samples that pixels and corners should have after the next pass.
+struct AdaptivePass {
+    std::vector<std::uint32_t> pixels;
+    std::vector<std::uint32_t> corners;
+    std::uint64_t more = 0;  ///< samples and probes in all; 0 when nothing is left to do
+};
+
+/// The state of a render towards an error target.
+class Adaptive {
+  public:
+    /// `lattice` may be null: then every pixel is sampled. `fine` marks pixels that must not be
+    /// smooth, and may be empty.
+    Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine);
+
+    /// Tells smooth pixels from others, once all corners have been probed. Those whose bias alone
+    /// is above `squaredBiasLimit` are sampled.
+    void classify(double squaredBiasLimit);
+
+    /// Brings the estimates up to date with the film and the lattice.
+    void update();
+    /// The mean squared error of the image, by `update`.
+    double squaredError() const { return squaredError_; }
+    /// Estimated squared error of a pixel.
+    double squaredErrorAt(std::size_t pixel) const { return pixelError_[pixel]; }
+
+    /// The next pass: a doubling where that brings most for its price. Pixels and corners double
+    /// one after another, most error a sample first, until the image would meet the goal; those
+    /// that would double at least once do so now, once. Smooth pixels whose bias costs more than
+    /// samples of their own become sampled.
+    AdaptivePass next(const AdaptiveGoal& goal);
+    /// The first samples of pixels that are not smooth.
+    AdaptivePass first(std::uint32_t samples) const;
+    /// Twice as many in every pixel.
+    AdaptivePass doubled(std::uint32_t most) const;
+
+    /// Gives the smooth pixels of the film their values.
+    void settle();
+
+  private:
+    struct Work;
+
+    std::size_t cornerOf(std::size_t pixel) const { return pixel + pixel / width_; }
+    bool isSmooth(std::size_t pixel) const { return kind_[pixel] != Kind::kSampled; }
+    void listPlaces();
+    void updateCorners();
+    void updateSmooth(std::size_t pixel);
+    void updateSampled();
+    double noiseAround(std::size_t corner) const;
+    double doubtOf(std::size_t pixel) const;
+    std::vector<Work> openWork(const AdaptiveGoal& goal) const;
+    AdaptivePass standing() const;
+
+    /// Uncertain pixels are smooth, and depend on lights that had to be sampled.
+    enum class Kind : std::uint8_t { kSampled, kSmooth, kUncertain };
+
+    Film& film_;
+    const Lattice* lattice_;
+    std::optional<SmoothPixels> smoothPixels_;
+    std::size_t width_;
+    std::vector<bool> fine_;
+    std::vector<Kind> kind_;
+    std::vector<std::size_t> sampled_;  ///< pixels
+    std::vector<std::size_t> uncertainPixels_;
+    std::vector<std::size_t> uncertainCorners_;
+    std::vector<double> ownError_;    ///< of sampled pixels and uncertain corners, before averaging
+    std::vector<double> pixelError_;  ///< estimated squared error of each pixel
+    std::vector<double> bias_;        ///< squared, of smooth pixels
+    std::vector<double> variance_;    ///< of each corner's mean
+    double squaredError_ = 0.0;
+};
 
 }  // namespace rt

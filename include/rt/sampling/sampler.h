@@ -45,6 +45,9 @@ class Sampler {
         index_ = static_cast<std::uint32_t>(index);
     }
 
+    /// Turns to another sample of the same pixel.
+    void turnTo(std::uint32_t index) { index_ = index; }
+
     /// Where in the image plane, and what the sample counts for.
     FilterSample pixel() const { return filter_->sample(point(SobolPair::kPixel, 0)); }
 

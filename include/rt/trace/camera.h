@@ -26,6 +26,13 @@ class Camera {
     bool hasLens() const { return lensRadius_ > 0.0; }
     double lensRadius() const { return lensRadius_; }
     const Vec3& eye() const { return eye_; }
+    /// Side of a pixel on the plane at distance 1.
+    double pixelSize() const { return glm::length(perPixelDown_); }
+    /// The image point, in pixels, that shows p, and its distance along the view direction.
+    struct Projection {
+        double x, y, depth;
+    };
+    Projection project(const Vec3& p) const;
 
     /// The ray through image point (x, y), in pixels; `lens` is a point of the unit disc.
     /// The direction has unit length.

@@ -51,6 +51,8 @@ struct Instance {
     Index order = 0;
     /// Bounds a solid; refracting objects that do not are sheets.
     bool closed = true;
+    /// Lengths in object space for lengths in the world; 0 where they depend on the direction.
+    double objectScale = 0.0;
 };
 
 /// What this scene uses; the renderer's variant is chosen by it.

@@ -1,0 +1,82 @@
+// The corners of an area's pixels, each looked through once. Where the four corners of a pixel see
+// the same surfaces, and nothing but smooth shading between them, the pixel needs no samples of its
+// own: neighbours share their corners, so an even area costs one probe a pixel.
+#pragma once
+
+#include "rt/render/tiles.h"
+#include "rt/trace/probe.h"
+#include "rt/trace/trace_kernel.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// Row-major probes of the corners of `area`; corner (x, y) is the upper left one of pixel (x, y).
+struct Lattice {
+    explicit Lattice(const Tile& area)
+        : corners{area.x0, area.y0, area.x1 + 1, area.y1 + 1},
+          probes(static_cast<std::size_t>(corners.width()) *
+                 static_cast<std::size_t>(corners.height())) {}
+
+    std::size_t stride() const { return static_cast<std::size_t>(corners.width()); }
+    std::size_t offset(int x, int y) const {
+        return static_cast<std::size_t>(y - corners.y0) * stride() +
+               static_cast<std::size_t>(x - corners.x0);
+    }
+
+    Tile corners;
+    std::vector<Probe> probes;
+};
+
+/// A pixel's mean by its corners.
+struct SmoothPixel {
+    glm::vec3 value{0.0F};
+    double squaredBias = 0.0;  ///< what is estimated to be left, mean over the channels
+};
+
+/// Pixels as their corners tell them.
+///
+/// With f at the corners, and second differences f_xx, f_yy there, the mean over a pixel is
+/// mean f - (mean f_xx + mean f_yy) / 12: the trapezoid rule with its first correction (Davis and
+/// Rabinowitz, Methods of Numerical Integration, 1984, section 2.9). Of lights that had to be
+/// sampled the differences are noise, and count as bias instead of being taken off.
+class SmoothPixels {
+  public:
+    explicit SmoothPixels(const Lattice& lattice);
+
+    /// Takes the second differences about every corner that has neighbours on its surface.
+    void measure();
+    /// The same again at one corner, whose probe or neighbours have changed.
+    void measure(std::size_t corner);
+
+    /// Whether the pixel with this upper left corner is smooth: all corners met the same surfaces,
+    /// on one side of each sharp shadow, their surface does not bend away between them, and
+    /// neighbours tell the differences both ways.
+    bool isSmooth(std::size_t corner) const;
+    /// Of a smooth pixel; `noise` is the variance of a corner's colour.
+    SmoothPixel at(std::size_t corner, double noise) const;
+    /// Whether a light had to be sampled at any of its corners.
+    bool isUncertain(std::size_t corner) const;
+
+  private:
+    struct Bend {
+        glm::vec3 across{0.0F};
+        glm::vec3 down{0.0F};
+        bool hasAcross = false;
+        bool hasDown = false;
+    };
+    struct Correction {
+        glm::vec3 value{0.0F};
+        bool known = false;
+    };
+
+    bool difference(std::size_t corner, std::size_t step, glm::vec3& out) const;
+    Correction correction(std::size_t corner) const;
+
+    const Lattice& lattice_;
+    std::vector<Bend> bends_;
+};
+
+}  // namespace rt

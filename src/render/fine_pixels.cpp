@@ -1,0 +1,118 @@
+#include "rt/render/fine_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+namespace rt {
+namespace {
+
+/// Narrower than this, in pixels, a thing may pass between corners, or show in too few of them.
+constexpr double kNarrow = 3.0;
+
+/// Nothing nearer than this share of its distance to the eye's plane is projected.
+constexpr double kNearest = 0x1p-20;
+
+struct BoundsOf {
+    template <class Solid>
+    Bounds operator()(const Solid& solid) const {
+        return solid.bounds();
+    }
+    Bounds operator()(const std::shared_ptr<const MeshShape>& mesh) const {
+        return mesh->tree.bounds();
+    }
+};
+
+/// The corners of an instance's box on the image plane; false where some lie beside or behind the
+/// eye.
+bool project(const RenderScene& scene, const Instance& instance, std::array<Vec2, 8>& points) {
+    const Bounds box = std::visit(BoundsOf{}, scene.shapes[instance.shape]);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const Vec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
+                          i & 4 ? box.max.z : box.min.z);
+        const Vec3 world = instance.transform.toWorld().point(corner);
+        const Camera::Projection at = scene.camera.project(world);
+        if (!(at.depth > kNearest * glm::length(world - scene.camera.eye()))) return false;
+        points[i] = {at.x, at.y};
+    }
+    return true;
+}
+
+/// A strip of the plane: |n . p - middle| <= half, n a unit vector.
+struct Strip {
+    Vec2 normal{0.0};
+    double low = kInfinity;
+    double high = -kInfinity;
+
+    double width() const { return high - low; }
+    void cover(const std::array<Vec2, 8>& points) {
+        for (const Vec2& p : points) {
+            low = std::min(low, glm::dot(normal, p));
+            high = std::max(high, glm::dot(normal, p));
+        }
+    }
+};
+
+/// The narrowest strip over the points among those along the lines between two of them: a convex
+/// hull is narrowest across one of its sides.
+Strip narrowest(const std::array<Vec2, 8>& points) {
+    Strip best;
+    double width = kInfinity;
+    for (std::size_t i = 0; i < 8; ++i) {
+        for (std::size_t j = i + 1; j < 8; ++j) {
+            const Vec2 side = points[j] - points[i];
+            const double length = std::sqrt(glm::dot(side, side));
+            Strip strip{length > 0.0 ? Vec2(-side.y, side.x) / length : Vec2(1.0, 0.0)};
+            strip.cover(points);
+            if (strip.width() < width) {
+                width = strip.width();
+                best = strip;
+            }
+        }
+    }
+    return best;
+}
+
+void mark(const std::array<Vec2, 8>& points, const Strip& strip, const Tile& area,
+          std::vector<bool>& fine) {
+    Vec2 low(kInfinity);
+    Vec2 high(-kInfinity);
+    for (const Vec2& p : points) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const auto from = [](double v, int least, int most) {
+        return static_cast<int>(std::clamp(std::floor(v), double(least), double(most)));
+    };
+    const int x0 = from(low.x, area.x0, area.x1);
+    const int x1 = from(high.x + 1.0, area.x0, area.x1);
+    const int y0 = from(low.y, area.y0, area.y1);
+    const int y1 = from(high.y + 1.0, area.y0, area.y1);
+    const double reach = 0.5 * (std::fabs(strip.normal.x) + std::fabs(strip.normal.y));
+    for (int y = y0; y < y1; ++y) {
+        const auto row =
+            static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.width());
+        for (int x = x0; x < x1; ++x) {
+            const double at = glm::dot(strip.normal, Vec2(x + 0.5, y + 0.5));
+            if (at < strip.low - reach || at > strip.high + reach) continue;
+            fine[row + static_cast<std::size_t>(x - area.x0)] = true;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
+    std::vector<bool> fine(static_cast<std::size_t>(area.width()) *
+                           static_cast<std::size_t>(area.height()));
+    for (const Instance& instance : scene.instances) {
+        std::array<Vec2, 8> points;
+        if (!project(scene, instance, points)) continue;
+        const Strip strip = narrowest(points);
+        if (strip.width() < kNarrow) mark(points, strip, area, fine);
+    }
+    return fine;
+}
+
+}  // namespace rt

@@ -1,0 +1,128 @@
+#include "rt/render/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// Two corners whose normals are further apart than this (cosine), or that lie further off each
+/// other's tangent planes than this share of their distance, see a bend between them.
+constexpr float kSmoothBend = 0.94F;
+constexpr float kSmoothRise = 0.35F;
+
+/// Positions are single precision, relative to the eye: a rise below this is rounding.
+constexpr float kRounding = 1e-6F;
+
+/// What is left of the correction by second differences, as a share of it.
+constexpr double kLeftByCorrection = 0.5;
+
+/// Variance of (f_xx + f_yy) / 12 in that of a corner: 4 (1/2)^2 + 8 (1/4)^2, over 144.
+constexpr double kNoiseOfDifferences = 1.5 / 144;
+
+bool continues(const Probe& a, const Probe& b) {
+    return a.surfaces == b.surfaces && ((a.lit & b.dark) | (a.dark & b.lit)) == 0;
+}
+
+/// Whether the camera's surface goes on from a to b without a fold or a gap.
+bool isOneSurface(const Probe& a, const Probe& b) {
+    if (!a.has(kProbeHit)) return true;
+    if (glm::dot(a.normal, b.normal) < kSmoothBend) return false;
+    const glm::vec3 step = b.position - a.position;
+    const float rise =
+        std::max(std::fabs(glm::dot(a.normal, step)), std::fabs(glm::dot(b.normal, step)));
+    if (rise == 0.0F) return true;
+    return rise <= kSmoothRise * glm::length(step) + kRounding * glm::length(a.position);
+}
+
+}  // namespace
+
+SmoothPixels::SmoothPixels(const Lattice& lattice)
+    : lattice_(lattice), bends_(lattice.probes.size()) {}
+
+void SmoothPixels::measure() {
+    for (std::size_t corner = 0; corner < bends_.size(); ++corner) measure(corner);
+}
+
+void SmoothPixels::measure(std::size_t corner) {
+    const std::size_t stride = lattice_.stride();
+    const std::size_t column = corner % stride;
+    Bend& bend = bends_[corner];
+    bend.hasAcross = column > 0 && column + 1 < stride && difference(corner, 1, bend.across);
+    bend.hasDown = corner >= stride && corner + stride < bends_.size() &&
+                   difference(corner, stride, bend.down);
+}
+
+bool SmoothPixels::difference(std::size_t corner, std::size_t step, glm::vec3& out) const {
+    const Probe& before = lattice_.probes[corner - step];
+    const Probe& here = lattice_.probes[corner];
+    const Probe& after = lattice_.probes[corner + step];
+    if (!continues(before, here) || !continues(here, after) || !continues(before, after)) {
+        return false;
+    }
+    out = before.mean() - 2.0F * here.mean() + after.mean();
+    return true;
+}
+
+SmoothPixels::Correction SmoothPixels::correction(std::size_t corner) const {
+    const std::size_t below = corner + lattice_.stride();
+    glm::vec3 across(0.0F);
+    glm::vec3 down(0.0F);
+    int acrossCount = 0;
+    int downCount = 0;
+    for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
+        const Bend& bend = bends_[i];
+        if (bend.hasAcross) {
+            across += bend.across;
+            ++acrossCount;
+        }
+        if (bend.hasDown) {
+            down += bend.down;
+            ++downCount;
+        }
+    }
+    if (acrossCount == 0 || downCount == 0) return {};
+    return {
+        (across / static_cast<float>(acrossCount) + down / static_cast<float>(downCount)) / 12.0F,
+        true};
+}
+
+bool SmoothPixels::isUncertain(std::size_t corner) const {
+    const std::size_t below = corner + lattice_.stride();
+    return ((lattice_.probes[corner].marks | lattice_.probes[corner + 1].marks |
+             lattice_.probes[below].marks | lattice_.probes[below + 1].marks) &
+            kProbeUncertain) != 0;
+}
+
+bool SmoothPixels::isSmooth(std::size_t corner) const {
+    const std::size_t below = corner + lattice_.stride();
+    const Probe& a = lattice_.probes[corner];
+    const Probe& b = lattice_.probes[corner + 1];
+    const Probe& c = lattice_.probes[below];
+    const Probe& d = lattice_.probes[below + 1];
+    const std::uint64_t lit = a.lit | b.lit | c.lit | d.lit;
+    const std::uint64_t dark = a.dark | b.dark | c.dark | d.dark;
+    const bool same = a.surfaces == b.surfaces && a.surfaces == c.surfaces &&
+                      a.surfaces == d.surfaces && (lit & dark) == 0;
+    if (!same || ((a.marks | b.marks | c.marks | d.marks) & kProbeDetail)) return false;
+    return isOneSurface(a, d) && isOneSurface(b, c) && correction(corner).known;
+}
+
+SmoothPixel SmoothPixels::at(std::size_t corner, double noise) const {
+    const std::size_t below = corner + lattice_.stride();
+    SmoothPixel pixel;
+    for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
+        pixel.value += 0.25F * lattice_.probes[i].mean();
+    }
+    const glm::vec3 off = correction(corner).value;
+    const double squared = glm::dot(off, off) / 3.0F;
+    if (isUncertain(corner)) {
+        pixel.squaredBias = std::max(squared - kNoiseOfDifferences * noise, 0.0);
+    } else {
+        pixel.value -= off;
+        pixel.squaredBias = kLeftByCorrection * kLeftByCorrection * squared;
+    }
+    return pixel;
+}
+
+}  // namespace rt

@@ -1,0 +1,230 @@
+#include "shadow_hull.h"
+
+#include "rt/core/numeric.h"
+#include "rt/sampling/warp.h"
+#include "scene_intersect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt {
+namespace {
+
+/// Where along the hull its slab of one axis meets [lo, hi]: 0 <= s <= 1, the radius growing with
+/// s. Narrows `range`; false when nothing is left.
+bool narrow(double from, double fromRadius, double along, double growth, double lo, double hi,
+            Interval& range) {
+    // from + along s + fromRadius + growth s >= lo, and the mirror image for hi.
+    const auto keepPositive = [&](double constant, double slope) {
+        if (slope > 0.0) {
+            range.min = std::max(range.min, -constant / slope);
+        } else if (slope < 0.0) {
+            range.max = std::min(range.max, -constant / slope);
+        } else if (constant < 0.0) {
+            return false;
+        }
+        return range.min <= range.max;
+    };
+    return keepPositive(from + fromRadius - lo, along + growth) &&
+           keepPositive(hi - from + fromRadius, growth - along);
+}
+
+/// Distance of a point (at `along` the axis of the hull, `aside` from it) to the hull of two balls.
+double distanceToHull(double along, double aside, double length, double fromRadius,
+                      double toRadius) {
+    if (!(length > 0.0)) return std::hypot(along, aside) - std::max(fromRadius, toRadius);
+    const double sine = std::clamp((toRadius - fromRadius) / length, -1.0, 1.0);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    // The foot of the point on the slanted side, as a place on the axis.
+    const double foot = along + aside * sine / std::max(cosine, kUnitRoundoff);
+    if (foot <= 0.0) return std::sqrt(along * along + aside * aside) - fromRadius;
+    if (foot >= length) {
+        const double beyond = along - length;
+        return std::sqrt(beyond * beyond + aside * aside) - toRadius;
+    }
+    return aside * cosine - along * sine - fromRadius;
+}
+
+/// The hull in a frame of (p - centre) * scale.
+ShadowHull scaled(const ShadowHull& hull, const Vec3& centre, double scale) {
+    return {(hull.from - centre) * scale, hull.fromRadius * scale, (hull.to - centre) * scale,
+            hull.toRadius * scale};
+}
+
+/// The hull in the object space of a similarity.
+ShadowHull inObjectSpace(const ShadowHull& hull, const Instance& instance) {
+    if (instance.transform.isIdentity()) return hull;
+    const Affine& map = instance.transform.toObject();
+    const double scale = instance.objectScale;
+    return {map.point(hull.from), hull.fromRadius * scale, map.point(hull.to),
+            hull.toRadius * scale};
+}
+
+struct MeetsHull {
+    const ShadowHull& hull;
+
+    bool operator()(const Sphere& sphere) const {
+        const Bounds box = sphere.bounds();
+        return hull.meetsBall(box.centre(), 0.5 * box.extent().x);
+    }
+    bool operator()(const Box& box) const { return hull.mayMeet(box.bounds()); }
+    bool operator()(const Cylinder& cylinder) const { return round(cylinder.bounds(), 0, 2); }
+    bool operator()(const Cone& cone) const { return round(cone.bounds(), 0, 2); }
+    bool operator()(const Torus& torus) const { return round(torus.bounds(), 0, 1); }
+    bool operator()(const std::shared_ptr<const MeshShape>& mesh) const {
+        return hull.mayMeet(mesh->tree.bounds());
+    }
+
+  private:
+    bool round(const Bounds& box, int i, int j) const {
+        return hull.mayMeet(box) && hull.meetsCylinder(box.centre(), 0.5 * box.extent()[i], i, j);
+    }
+};
+
+struct BehindTangentPlane {
+    const PrimitiveHit& hit;
+
+    template <class Convex>
+    bool operator()(const Convex&) const {
+        return true;
+    }
+    bool operator()(const Torus& torus) const { return torus.isOuterHalf(hit); }
+    bool operator()(const std::shared_ptr<const MeshShape>&) const { return false; }
+};
+
+struct ThicknessOf {
+    double objectScale;
+
+    template <class Solid>
+    double operator()(const Solid& solid) const {
+        const Vec3 size = solid.bounds().extent();
+        return objectScale > 0.0 ? std::min({size.x, size.y, size.z}) / objectScale : 0.0;
+    }
+    double operator()(const std::shared_ptr<const MeshShape>&) const { return kInfinity; }
+};
+
+bool isConvex(const Shape& shape) {
+    return !std::holds_alternative<Torus>(shape) &&
+           !std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
+}
+
+/// Calls found(item) for the leaves of the tree whose boxes the hull may meet.
+template <class Found>
+void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
+    const TreeFrame& frame = tree.frame();
+    ShadowHull hull = scaled(world, frame.centre, frame.scale);
+    // The planes of the boxes were rounded outwards; the hull's own rounding is far below kBoxPad.
+    hull.fromRadius += kBoxPad;
+    hull.toRadius += kBoxPad;
+    std::uint32_t stack[(kTreeWidth - 1) * (WideTree::kMaxDepth + 1) + kTreeWidth];
+    std::size_t size = 0;
+    stack[size++] = ChildRef::node(0).bits();
+    while (size > 0) {
+        const ChildRef child = ChildRef::fromBits(stack[--size]);
+        if (child.isLeaf()) {
+            for (std::uint32_t k = 0; k < child.count(); ++k) found(tree.item(child.first() + k));
+            continue;
+        }
+        const WideNode& node = tree.nodes()[child.nodeIndex()];
+        for (int lane = 0; lane < kTreeWidth; ++lane) {
+            const Bounds box{{node.plane[0][lane], node.plane[2][lane], node.plane[4][lane]},
+                             {node.plane[1][lane], node.plane[3][lane], node.plane[5][lane]}};
+            if (box.min.x <= box.max.x && hull.mayMeet(box)) stack[size++] = node.child[lane];
+        }
+    }
+}
+
+}  // namespace
+
+bool ShadowHull::mayMeet(const Bounds& box) const {
+    Interval range{0.0, 1.0};
+    const double growth = toRadius - fromRadius;
+    const Vec3 along = to - from;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!narrow(from[axis], fromRadius, along[axis], growth, box.min[axis], box.max[axis],
+                    range)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool ShadowHull::meetsCylinder(const Vec3& centre, double radius, int i, int j) const {
+    const Vec2 axis(to[i] - from[i], to[j] - from[j]);
+    const Vec2 point(centre[i] - from[i], centre[j] - from[j]);
+    const double length = std::sqrt(glm::dot(axis, axis));
+    // Seen along the cylinder, one ball may lie within the other: the larger one is the hull.
+    if (!(length > std::fabs(toRadius - fromRadius))) {
+        const bool first = fromRadius >= toRadius;
+        const Vec2 offset = first ? point : point - axis;
+        const double reach = radius + (first ? fromRadius : toRadius);
+        return glm::dot(offset, offset) <= reach * reach;
+    }
+    const double along = glm::dot(point, axis) / length;
+    const double aside = std::fabs(point.x * axis.y - point.y * axis.x) / length;
+    return distanceToHull(along, aside, length, fromRadius, toRadius) <= radius;
+}
+
+bool ShadowHull::meetsBall(const Vec3& centre, double radius) const {
+    const Vec3 axis = to - from;
+    const Vec3 point = centre - from;
+    const double length = glm::length(axis);
+    if (!(length > std::fabs(toRadius - fromRadius))) return true;
+    const double along = glm::dot(point, axis) / length;
+    const double squared = glm::dot(point, point) - along * along;
+    const double aside = std::sqrt(std::max(squared, 0.0));
+    return distanceToHull(along, aside, length, fromRadius, toRadius) <= radius;
+}
+
+bool liesBehindTangentPlane(const Shape& shape, const PrimitiveHit& hit) {
+    return std::visit(BehindTangentPlane{hit}, shape);
+}
+
+Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except) {
+    Occluders occluders;
+    if (scene.tree.isEmpty()) return occluders;
+    walk(scene.tree, hull, [&](Index item) {
+        if (item == except || occluders.overflow) return;
+        const Instance& instance = scene.instances[item];
+        const bool met =
+            !(instance.objectScale > 0.0) ||
+            std::visit(MeetsHull{inObjectSpace(hull, instance)}, scene.shapes[instance.shape]);
+        if (met) occluders.add(item);
+    });
+    return occluders;
+}
+
+double thicknessOf(const RenderScene& scene, Index item) {
+    const Instance& instance = scene.instances[item];
+    return std::visit(ThicknessOf{instance.objectScale}, scene.shapes[instance.shape]);
+}
+
+bool anyBlocks(const RenderScene& scene, const Occluders& occluders, const Ray& ray,
+               Interval range) {
+    if (occluders.overflow) return anyHit(scene, ray, range);
+    for (unsigned i = 0; i < occluders.count; ++i) {
+        if (instanceBlocks(scene, occluders.items[i], ray, range)) return true;
+    }
+    return false;
+}
+
+bool oneHidesCone(const RenderScene& scene, const Occluders& occluders, const Vec3& from,
+                  const Vec3& axis, double tanA, double reach) {
+    if (occluders.overflow) return false;
+    const Basis basis = orthonormalBasis(axis);
+    for (unsigned i = 0; i < occluders.count; ++i) {
+        const Index item = occluders.items[i];
+        if (!isConvex(scene.shapes[scene.instances[item].shape])) continue;
+        bool all = true;
+        for (int corner = 0; corner < 4 && all; ++corner) {
+            const double a = (corner & 1) ? tanA : -tanA;
+            const double b = (corner & 2) ? tanA : -tanA;
+            const Vec3 w = glm::normalize(axis + a * basis.tangent + b * basis.bitangent);
+            all = instanceBlocks(scene, item, {from, w}, {0.0, reach});
+        }
+        if (all) return true;
+    }
+    return false;
+}
+
+}  // namespace rt

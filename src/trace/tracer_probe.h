@@ -1,0 +1,181 @@
+// The Tracer's way to look at corners of pixels: lights are proved lit or dark where a test of all
+// that lies between can do so, and enter in closed form; only the others are sampled.
+#pragma once
+
+#include "rt/shading/light_mean.h"
+#include "tracer.h"
+
+#include <cmath>
+
+namespace rt {
+
+template <unsigned Features>
+void Tracer<Features>::probe(int x, int y, std::uint32_t end, Probe& probe) {
+    // The corners' points on the lights are not those of the pixels' samples.
+    constexpr int kOtherPixels = 1 << 30;
+    sampler_.start(x - kOtherPixels, y, 0);
+    Path path;
+    path.ray = scene_.camera.ray(x, y, Vec2(0.0));
+    if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
+    raysLeft_ = settings_.raysPerSample;
+    ++counts_.rays.camera;
+
+    const std::uint32_t begin = probe.samples;
+    ProbeSum sum{
+        .begin = begin, .middle = begin > 0 ? begin : end / 2, .end = end, .evidence = &probe};
+    probe.surfaces = 0;
+    probe.marks = 0;
+    probe.lit = 0;
+    probe.dark = 0;
+    gather(std::move(path), sum);
+    if (!std::isfinite(sum.first.x + sum.first.y + sum.first.z) ||
+        !std::isfinite(sum.second.x + sum.second.y + sum.second.z)) {
+        // The pixels' own samples find it again, and report it.
+        sum.first = sum.second = Color(0.0);
+        probe.marks |= kProbeDetail;
+    }
+    probe.half = begin > 0 ? probe.sum : glm::vec3(sum.first);
+    probe.sum += glm::vec3(sum.first + sum.second);
+    probe.samples = end;
+}
+
+template <unsigned Features>
+void Tracer<Features>::addMiss(const Path& path, ProbeSum& sum) const {
+    Probe& evidence = *sum.evidence;
+    evidence.surfaces = subKey(evidence.surfaces, path.node);
+    if (scene_.background.image) evidence.marks |= kProbeDetail;
+    sum.addToAll(path.weight * scene_.background.at(path.ray.direction));
+}
+
+template <unsigned Features>
+void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
+                              const ShadePoint& point, ProbeSum& sum) {
+    Probe& evidence = *sum.evidence;
+    const Instance& instance = scene_.instances[hit.instance];
+    const bool isMesh =
+        std::holds_alternative<std::shared_ptr<const MeshShape>>(scene_.shapes[instance.shape]);
+    const std::uint64_t face = isMesh ? 0 : hit.at.part;
+    evidence.surfaces = subKey(evidence.surfaces, path.node);
+    evidence.surfaces = subKey(evidence.surfaces, std::uint64_t{hit.instance} << 8 | face);
+    if (path.depth == 0) {
+        evidence.marks |= kProbeHit;
+        evidence.position = glm::vec3(point.position - scene_.camera.eye());
+        evidence.normal = glm::vec3(point.geometricNormal);
+    }
+    if constexpr (kImages) {
+        const Look& look = scene_.looks[instance.look];
+        if (look.texture || look.bump) evidence.marks |= kProbeDetail;
+    }
+    sum.addToAll(path.weight * own * point.material.diffuse * scene_.ambient);
+    for (Index light = 0; light < scene_.lights.size(); ++light) {
+        probeLight(light, path, own, hit, point, sum);
+    }
+}
+
+/// Half of a pixel's diagonal, on the surface.
+template <unsigned Features>
+double Tracer<Features>::footprint(const Path& path, const ShadePoint& point) const {
+    const double distance = path.travelled + glm::length(point.position - path.ray.origin);
+    const double cosine = std::fabs(glm::dot(point.geometricNormal, path.ray.direction));
+    constexpr double kHalfDiagonal = 0.7071067811865476;
+    constexpr double kGrazing = 1.0 / 32;
+    return kHalfDiagonal * scene_.camera.pixelSize() * distance / std::max(cosine, kGrazing);
+}
+
+template <unsigned Features>
+bool Tracer<Features>::allOpaque(const Occluders& occluders) const {
+    if constexpr (!kRefraction) return true;
+    if (occluders.overflow) return false;
+    for (unsigned i = 0; i < occluders.count; ++i) {
+        if (lookOf(occluders.items[i]).refracts) return false;
+    }
+    return true;
+}
+
+template <unsigned Features>
+void Tracer<Features>::probeLight(Index index, const Path& path, double own, const SceneHit& hit,
+                                  const ShadePoint& point, ProbeSum& sum) {
+    const Light& light = scene_.lights[index];
+    const std::uint64_t bit = std::uint64_t{1} << (sum.lightsSeen++ & 63);
+    const std::optional<LightView> view = viewOf(light, point.position);
+    if (!view) return;
+    const LightHorizon horizon = horizonOf(*view, point.geometricNormal, point.normal);
+    if (horizon == LightHorizon::kBelow) {
+        sum.evidence->dark |= bit;
+        return;
+    }
+    const double margin = footprint(path, point);
+    const bool behind =
+        horizon == LightHorizon::kAbove && !point.fromInside &&
+        liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);
+    const Occluders occluders =
+        occludersIn(scene_, {point.shadowOrigin, margin, light.position, light.radius},
+                    behind ? hit.instance : kNone);
+    if (occluders.none()) {
+        if (const std::optional<Color> mean = unoccludedMean(
+                point.material, point.normal, -path.ray.direction, light, *view, horizon)) {
+            sum.evidence->lit |= bit;
+            sum.addToAll(path.weight * own * *mean);
+            return;
+        }
+    } else if (!occluders.overflow && view->distance > light.radius && allOpaque(occluders)) {
+        for (unsigned i = 0; i < occluders.count; ++i) {
+            if (thicknessOf(scene_, occluders.items[i]) < 4.0 * margin) {
+                sum.evidence->marks |= kProbeDetail;
+            }
+        }
+        const double cosA = 1.0 - view->oneMinusCos;
+        const double tanA = std::sqrt(view->oneMinusCos * (1.0 + cosA)) / cosA;
+        const Vec3 from = point.leave(point.shadowOrigin, view->axis);
+        if (cosA > 0.0 && oneHidesCone(scene_, occluders, from, view->axis, tanA,
+                                       (view->distance - light.radius) * (1.0 - kCoincidence))) {
+            sum.evidence->dark |= bit;
+            return;
+        }
+    }
+    sum.evidence->marks |= kProbeUncertain;
+    const double visible = probeOccluded(index, *view, occluders, path, own, point, sum);
+    if (view->isPoint()) {
+        (visible > 0.0 ? sum.evidence->lit : sum.evidence->dark) |= bit;
+    }
+}
+
+/// Samples a light that is neither proved lit nor proved dark; the last visibility.
+template <unsigned Features>
+double Tracer<Features>::probeOccluded(Index index, const LightView& view,
+                                       const Occluders& occluders, const Path& path, double own,
+                                       const ShadePoint& point, ProbeSum& sum) {
+    const Light& light = scene_.lights[index];
+    double visible = 0.0;
+    const std::uint32_t end = view.isPoint() ? sum.begin + 1 : sum.end;
+    for (std::uint32_t i = sum.begin; i < end; ++i) {
+        Vec3 w = view.axis;
+        if (!view.isPoint()) {
+            sampler_.turnTo(i);
+            w = coneDirection(view.axis, view.oneMinusCos, sampler_.light(path.node, index));
+        }
+        const Color local = lightAlong(w, light, view, path, point);
+        if (local == Color(0.0)) continue;
+        const Ray ray{point.leave(point.shadowOrigin, w), w};
+        visible = visibilityPast(occluders, ray, view.reach(w), path.media);
+        const Color value = path.weight * own * visible * local;
+        if (view.isPoint()) {
+            sum.addToAll(value);
+        } else {
+            (i < sum.middle ? sum.first : sum.second) += value;
+        }
+    }
+    return visible;
+}
+
+/// V along a ray that only the occluders can block.
+template <unsigned Features>
+double Tracer<Features>::visibilityPast(const Occluders& occluders, const Ray& ray, double reach,
+                                        const MediumSet& media) {
+    if (occluders.none()) return 1.0;
+    if (!allOpaque(occluders)) return visibility(ray, reach, media);
+    ++counts_.rays.shadow;
+    return anyBlocks(scene_, occluders, ray, {0.0, reach * (1.0 - kCoincidence)}) ? 0.0 : 1.0;
+}
+
+}  // namespace rt
