@@ -80,6 +80,7 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
     if (lattice_) {
         smoothPixels_.emplace(*lattice_);
         bias_.resize(film.pixels.size());
+        isBiased_.resize(film.pixels.size());
         variance_.resize(lattice_->probes.size());
     }
     ownError_.resize(std::max(pixelError_.size(), variance_.size()));
@@ -97,7 +98,7 @@ void Adaptive::classify(double squaredBiasLimit) {
         const std::size_t corner = cornerOf(pixel);
         if ((!fine_.empty() && fine_[pixel]) || !smoothPixels_->isSmooth(corner)) continue;
         updateSmooth(pixel);
-        if (bias_[pixel] > squaredBiasLimit) continue;
+        if (isBiased_[pixel] && bias_[pixel] > squaredBiasLimit) continue;
         kind_[pixel] = smoothPixels_->isUncertain(corner) ? Kind::kUncertain : Kind::kSmooth;
     }
     listPlaces();
@@ -146,7 +147,9 @@ double Adaptive::noiseAround(std::size_t corner) const {
 void Adaptive::updateSmooth(std::size_t pixel) {
     const std::size_t corner = cornerOf(pixel);
     const double noise = noiseAround(corner);
-    bias_[pixel] = smoothPixels_->at(corner, noise).squaredBias;
+    const SmoothPixel found = smoothPixels_->at(corner, noise);
+    bias_[pixel] = found.squaredBias;
+    isBiased_[pixel] = found.isBiased;
     pixelError_[pixel] = bias_[pixel] + 0.25 * noise;
 }
 
@@ -218,7 +221,7 @@ std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
     if (!lattice_) return work;
     const double enough = kSmallBias * goal.squaredTarget;
     for (std::size_t i = 0; i < kind_.size(); ++i) {
-        if (!isSmooth(i) || bias_[i] <= enough) continue;
+        if (!isSmooth(i) || !isBiased_[i] || bias_[i] <= enough) continue;
         work.push_back({Work::Kind::kSmooth, i, pixelError_[i], pixelError_[i],
                         static_cast<double>(goal.firstSamples), 1, kLeftBySampling});
     }
@@ -238,6 +241,12 @@ std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
                         stepsFrom(samples), kLeftByDoubling});
     }
     return work;
+}
+
+/// Whether a place would double three times: then two at once are safe, and save a pass.
+bool Adaptive::worthTwo(const Work& item, double price) {
+    const double twice = item.left * item.left / 4.0;
+    return item.steps > 2 && PriceList::isAtLeast(item.doubt * twice / item.cost, price);
 }
 
 AdaptivePass Adaptive::standing() const {
@@ -282,7 +291,7 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
             sampledMore = true;
             end = goal.firstSamples;
         } else {
-            end *= 2;
+            end *= worthTwo(item, price) ? 4 : 2;
         }
         pass.more += end - before;
     }

@@ -20,6 +20,9 @@ constexpr double kLeftByCorrection = 0.5;
 /// Variance of (f_xx + f_yy) / 12 in that of a corner: 4 (1/2)^2 + 8 (1/4)^2, over 144.
 constexpr double kNoiseOfDifferences = 1.5 / 144;
 
+/// Squares of noise this many times above their mean are rarer than one in 300 (three deviations).
+constexpr double kSignificant = 9.0;
+
 bool continues(const Probe& a, const Probe& b) {
     return a.surfaces == b.surfaces && ((a.lit & b.dark) | (a.dark & b.lit)) == 0;
 }
@@ -117,10 +120,13 @@ SmoothPixel SmoothPixels::at(std::size_t corner, double noise) const {
     const glm::vec3 off = correction(corner).value;
     const double squared = glm::dot(off, off) / 3.0F;
     if (isUncertain(corner)) {
-        pixel.squaredBias = std::max(squared - kNoiseOfDifferences * noise, 0.0);
+        const double feigned = kNoiseOfDifferences * noise;
+        pixel.squaredBias = std::max(squared - feigned, 0.0);
+        pixel.isBiased = squared > kSignificant * feigned;
     } else {
         pixel.value -= off;
         pixel.squaredBias = kLeftByCorrection * kLeftByCorrection * squared;
+        pixel.isBiased = true;
     }
     return pixel;
 }

@@ -2,7 +2,7 @@
 // that lies between can do so, and enter in closed form; only the others are sampled.
 #pragma once
 
-#include "rt/shading/light_mean.h"
+#include "light_mean.h"
 #include "tracer.h"
 
 #include <cmath>
@@ -21,8 +21,7 @@ void Tracer<Features>::probe(int x, int y, std::uint32_t end, Probe& probe) {
     ++counts_.rays.camera;
 
     const std::uint32_t begin = probe.samples;
-    ProbeSum sum{
-        .begin = begin, .middle = begin > 0 ? begin : end / 2, .end = end, .evidence = &probe};
+    ProbeSum sum{.begin = begin, .middle = end / 2, .end = end, .evidence = &probe};
     probe.surfaces = 0;
     probe.marks = 0;
     probe.lit = 0;
@@ -34,7 +33,7 @@ void Tracer<Features>::probe(int x, int y, std::uint32_t end, Probe& probe) {
         sum.first = sum.second = Color(0.0);
         probe.marks |= kProbeDetail;
     }
-    probe.half = begin > 0 ? probe.sum : glm::vec3(sum.first);
+    probe.half = probe.sum + glm::vec3(sum.first);
     probe.sum += glm::vec3(sum.first + sum.second);
     probe.samples = end;
 }
@@ -120,7 +119,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
     } else if (!occluders.overflow && view->distance > light.radius && allOpaque(occluders)) {
         for (unsigned i = 0; i < occluders.count; ++i) {
-            if (thicknessOf(scene_, occluders.items[i]) < 4.0 * margin) {
+            if (thicknessOf(scene_, occluders.items[i]) < 2.0 * margin) {
                 sum.evidence->marks |= kProbeDetail;
             }
         }

@@ -78,6 +78,7 @@ class Adaptive {
     double doubtOf(std::size_t pixel) const;
     std::vector<Work> openWork(const AdaptiveGoal& goal) const;
     AdaptivePass standing() const;
+    static bool worthTwo(const Work& item, double price);
 
     /// Uncertain pixels are smooth, and depend on lights that had to be sampled.
     enum class Kind : std::uint8_t { kSampled, kSmooth, kUncertain };
@@ -94,6 +95,7 @@ class Adaptive {
     std::vector<double> ownError_;    ///< of sampled pixels and uncertain corners, before averaging
     std::vector<double> pixelError_;  ///< estimated squared error of each pixel
     std::vector<double> bias_;        ///< squared, of smooth pixels
+    std::vector<bool> isBiased_;      ///< where `bias_` is more than noise
     std::vector<double> variance_;    ///< of each corner's mean
     double squaredError_ = 0.0;
 };

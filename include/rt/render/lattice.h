@@ -34,6 +34,7 @@ struct Lattice {
 struct SmoothPixel {
     glm::vec3 value{0.0F};
     double squaredBias = 0.0;  ///< what is estimated to be left, mean over the channels
+    bool isBiased = false;     ///< whether that is beyond what noise could feign
 };
 
 /// Pixels as their corners tell them.

@@ -1,4 +1,4 @@
-#include "rt/shading/light_mean.h"
+#include "light_mean.h"
 
 #include "rt/core/numeric.h"
 #include "rt/math/portable.h"
