@@ -1,7 +1,7 @@
 """A table of scenes.py as a POV-Ray scene: the twin of lua.py's script.
 
 Quality is not part of it; it is declared on the command line: AN (area light of AN x AN), AADAPT (adaptive level, -1:
-none), AJIT (jitter), and BS, BVAR, BCONF (blur samples, variance, confidence).
+none), AJIT (jitter), and BS, BSMIN, BVAR, BCONF (most and fewest blur samples, variance, confidence).
 """
 import math
 import numpy as np
@@ -11,6 +11,7 @@ HEAD = """#version 3.7;
 #ifndef (AADAPT) #declare AADAPT = 1; #end
 #ifndef (AJIT) #declare AJIT = 1; #end
 #ifndef (BS) #declare BS = 20; #end
+#ifndef (BSMIN) #declare BSMIN = 0; #end
 #ifndef (BVAR) #declare BVAR = 1/128; #end
 #ifndef (BCONF) #declare BCONF = 0.9; #end
 """
@@ -71,7 +72,7 @@ def script(s):
     angle = 2 * math.degrees(math.atan(aspect * math.tan(math.radians(c["fovy"]) / 2)))
     lens = ""
     if c["lens_radius"] > 0:    # its lens reaches a quarter of `aperture` from the axis
-        lens = "\n  aperture %.9g focal_point %s blur_samples BS variance BVAR confidence BCONF" % (
+        lens = "\n  aperture %.9g focal_point %s\n  #if (BSMIN > 0) blur_samples BSMIN, BS #else blur_samples BS #end variance BVAR confidence BCONF" % (
             4 * c["lens_radius"], v3(c["focus"]))
     lines = [HEAD, "global_settings { assumed_gamma 1.0 max_trace_level %d ambient_light rgb 1 }" % s["max_depth"],
              "background { rgb %s }" % v3(s["background"]),
