@@ -1,0 +1,1 @@
+"""Scenes, runs and references that error_time.py, honesty.py and slopes.py share."""
