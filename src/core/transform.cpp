@@ -1,6 +1,7 @@
 #include "rt/core/transform.h"
 
 #include "rt/core/numeric.h"
+#include "rt/math/lanes4.h"
 #include "rt/math/portable.h"
 
 #include <algorithm>
@@ -109,19 +110,41 @@ struct LongVec {
     Vec3 low;
 };
 
-/// (a, b, c) . v in twice the precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J.
-/// Sci. Comput. 26, 2005), rounded once, near enough. The tails are relative to a, b and c.
-inline double longDot(double a, double b, double c, double aTail, double bTail, double cTail,
-                      const LongVec& v) {
-    const TwoTerms ax = exactProduct(a, v.high.x);
-    const TwoTerms by = exactProduct(b, v.high.y);
-    const TwoTerms cz = exactProduct(c, v.high.z);
-    const TwoTerms first = exactSum(ax.value, by.value);
-    const TwoTerms all = exactSum(first.value, cz.value);
-    const double ofRow = aTail * ax.value + bTail * by.value + cTail * cz.value;
-    const double ofVector = a * v.low.x + b * v.low.y + c * v.low.z;
-    const double ofRounding = (ax.error + by.error + cz.error) + (first.error + all.error);
-    return all.value + (ofRow + ofVector + ofRounding);
+/// exactProduct and exactSum of numeric.h, four at a time.
+struct TwoTermLanes {
+    Lanes4 value;
+    Lanes4 error;
+};
+
+inline TwoTermLanes exactProduct(Lanes4 a, Lanes4 b) {
+    const Lanes4 product = a * b;
+    return {product, fms(a, b, product)};
+}
+
+inline TwoTermLanes exactSum(Lanes4 a, Lanes4 b) {
+    const Lanes4 sum = a + b;
+    const Lanes4 b2 = sum - a;
+    return {sum, (a - (sum - b2)) + (b - b2)};
+}
+
+/// Three columns, and what their rounding left out, relative to each entry.
+struct LongColumns {
+    Lanes4 column[3];
+    Lanes4 tail[3];
+};
+
+/// The matrix times v, of which `ofVector` is what v's own rounding left out, in twice the
+/// precision (Ogita, Rump, Oishi, Accurate Sum and Dot Product, SIAM J. Sci. Comput. 26, 2005),
+/// rounded once, near enough.
+inline Lanes4 longProduct(const LongColumns& m, const Vec3& v, Lanes4 ofVector) {
+    const TwoTermLanes ax = exactProduct(m.column[0], Lanes4::all(v.x));
+    const TwoTermLanes by = exactProduct(m.column[1], Lanes4::all(v.y));
+    const TwoTermLanes cz = exactProduct(m.column[2], Lanes4::all(v.z));
+    const TwoTermLanes first = exactSum(ax.value, by.value);
+    const TwoTermLanes all = exactSum(first.value, cz.value);
+    const Lanes4 ofMatrix = m.tail[0] * ax.value + m.tail[1] * by.value + m.tail[2] * cz.value;
+    const Lanes4 ofRounding = (ax.error + by.error + cz.error) + (first.error + all.error);
+    return all.value + (ofMatrix + ofVector + ofRounding);
 }
 
 /// Bound on the length of the image of a unit vector: the root of the largest row sum times the
@@ -215,9 +238,7 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
         Mat3 tails;
         if (!invert(toWorld.linear, made.toObject_.linear, tails, determinantSign)) return false;
         for (int c = 0; c < 3; ++c) {
-            made.tails_[static_cast<std::size_t>(c)] = {static_cast<float>(tails[c].x),
-                                                        static_cast<float>(tails[c].y),
-                                                        static_cast<float>(tails[c].z)};
+            for (int r = 0; r < 3; ++r) made.tails_[c][r] = static_cast<float>(tails[c][r]);
         }
         made.toObject_.translation = -made.toObject_.vector(toWorld.translation);
         if (!made.toObject_.isFinite()) return false;
@@ -247,20 +268,22 @@ double Transform::similarityToObject() const {
 Ray Transform::toObject(const Ray& world) const {
     if (identity_) return world;
     const Mat3& m = toObject_.linear;
-    const Tail& tx = tails_[0];
-    const Tail& ty = tails_[1];
-    const Tail& tz = tails_[2];
-    const auto solve = [&](const LongVec& v) {
-        return Vec3(longDot(m[0].x, m[1].x, m[2].x, tx.x, ty.x, tz.x, v),
-                    longDot(m[0].y, m[1].y, m[2].y, tx.y, ty.y, tz.y, v),
-                    longDot(m[0].z, m[1].z, m[2].z, tx.z, ty.z, tz.z, v));
-    };
+    LongColumns columns;
+    for (int c = 0; c < 3; ++c) {
+        columns.column[c] = Lanes4::loadThree(&m[c].x);
+        columns.tail[c] = Lanes4::load(tails_[c]);
+    }
     // Taking the translation off first loses nothing; the inverse's own translation is rounded.
     const TwoTerms x = exactDifference(world.origin.x, toWorld_.translation.x);
     const TwoTerms y = exactDifference(world.origin.y, toWorld_.translation.y);
     const TwoTerms z = exactDifference(world.origin.z, toWorld_.translation.z);
-    return {solve({Vec3(x.value, y.value, z.value), Vec3(x.error, y.error, z.error)}),
-            solve({world.direction, Vec3(0.0)})};
+    const Lanes4 ofOrigin = columns.column[0] * Lanes4::all(x.error) +
+                            columns.column[1] * Lanes4::all(y.error) +
+                            columns.column[2] * Lanes4::all(z.error);
+    Ray ray;
+    longProduct(columns, Vec3(x.value, y.value, z.value), ofOrigin).storeThree(&ray.origin.x);
+    longProduct(columns, world.direction, Lanes4::all(0.0)).storeThree(&ray.direction.x);
+    return ray;
 }
 
 Vec3 Transform::normalToWorld(const Vec3& normal) const {
@@ -268,12 +291,13 @@ Vec3 Transform::normalToWorld(const Vec3& normal) const {
     Vec3 n = normal / largest(normal.x, normal.y, normal.z);
     if (!identity_) {
         const Mat3& m = toObject_.linear;
-        const LongVec exact{n, Vec3(0.0)};
-        const auto column = [&](int c) {
-            const Tail& tail = tails_[static_cast<std::size_t>(c)];
-            return longDot(m[c].x, m[c].y, m[c].z, tail.x, tail.y, tail.z, exact);
-        };
-        n = Vec3(column(0), column(1), column(2));
+        // Lanes are the columns here: the transpose.
+        LongColumns rows;
+        for (int r = 0; r < 3; ++r) {
+            rows.column[r] = Lanes4(m[0][r], m[1][r], m[2][r], 0.0);
+            rows.tail[r] = Lanes4(tails_[0][r], tails_[1][r], tails_[2][r], 0.0);
+        }
+        longProduct(rows, n, Lanes4::all(0.0)).storeThree(&n.x);
         n /= largest(n.x, n.y, n.z);
     }
     return n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);

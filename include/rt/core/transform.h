@@ -5,8 +5,6 @@
 #include "rt/core/ray.h"
 #include "rt/core/vec.h"
 
-#include <array>
-
 namespace rt {
 
 /// p -> linear p + translation. `linear` is column-major, as GLM's matrices are.
@@ -62,16 +60,10 @@ class Transform {
     double errorToWorld(const Vec3& objectPoint, double objectError) const;
 
   private:
-    struct Tail {
-        float x = 0.0F;
-        float y = 0.0F;
-        float z = 0.0F;
-    };
-
     Affine toWorld_;
     Affine toObject_;
-    /// What the rounding of the inverse's entries left out, relative to each.
-    std::array<Tail, 3> tails_{};
+    /// What the rounding of the inverse's entries left out, relative to each; columns, padded.
+    float tails_[3][4] = {};
     /// What the way to object space and back is off by, relative to |linear| |object point|.
     double wayBack_ = 0.0;
     /// Bound on the length of the image of a vector of length 1.
