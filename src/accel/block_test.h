@@ -19,6 +19,7 @@ inline Vec3 cornerOf(const TriangleBlock& block, std::size_t which, std::size_t 
 /// The nearest hit of all blocks so far: lowest t, then lowest triangle.
 class NearestInBlocks {
   public:
+    NearestInBlocks() = default;
     explicit NearestInBlocks(Interval range) : t_(range.max) {}
 
     /// Takes a hit at t, which is within the range of the query, if it comes first; returns
@@ -39,13 +40,14 @@ class NearestInBlocks {
     }
 
   private:
-    double t_;
+    double t_ = kInfinity;
     Index triangle_ = kNone;
     TriangleWeights weights_{};
 };
 
 class BlockTester {
   public:
+    BlockTester() = default;
     explicit BlockTester(const TriangleRay& ray)
         : x_(ray.x),
           y_(ray.y),

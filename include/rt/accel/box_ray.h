@@ -37,6 +37,9 @@ class BoxRay {
     float reciprocal[3];
     float nearShift[3];  ///< tau of a near plane p is p * reciprocal + nearShift
     float farShift[3];
+    float
+        nearOrigin[3];  ///< padded origins: tau of a near plane p is (p - nearOrigin) * reciprocal
+    float farOrigin[3];
     int nearPlane[3];  ///< rows of WideNode::plane
     int farPlane[3];
 
@@ -74,6 +77,8 @@ inline void BoxRay::setAxis(int axis, double origin, double direction, double pa
     reciprocal[axis] = static_cast<float>(inverse);
     nearShift[axis] = static_cast<float>(-(origin + outward) * inverse);
     farShift[axis] = static_cast<float>(-(origin - outward) * inverse);
+    nearOrigin[axis] = static_cast<float>(origin + outward);
+    farOrigin[axis] = static_cast<float>(origin - outward);
     nearPlane[axis] = 2 * axis + (backwards ? 1 : 0);
     farPlane[axis] = 2 * axis + (backwards ? 0 : 1);
 }
