@@ -137,10 +137,7 @@ class PacketWalk {
 
     /// No ray that is alive goes on beyond this.
     void findEnd() {
-        tauEnd_ = -std::numeric_limits<float>::infinity();
-        for (unsigned left = alive_; left != 0; left &= left - 1) {
-            tauEnd_ = std::max(tauEnd_, packet_.tauMax[std::countr_zero(left)]);
-        }
+        if (alive_ != 0) tauEnd_ = packet::greatest(packet_.tauMax, alive_);
     }
 
     const WideTree& tree_;
@@ -159,13 +156,13 @@ class PacketRays {
   public:
     PacketRays(std::span<const Ray> rays, std::span<const Interval> ranges) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            testers_[i] = BlockTester(TriangleRay(rays[i]));
+            rays_[i] = TriangleRay(rays[i]);
             ranges_[i] = ranges[i];
         }
     }
 
   protected:
-    BlockTester testers_[packet::kRays];
+    TriangleRay rays_[packet::kRays];
     Interval ranges_[packet::kRays];
 };
 
@@ -176,7 +173,7 @@ class ClosestQuery : PacketRays {
         for (std::size_t i = 0; i < rays.size(); ++i) nearest_[i] = NearestInBlocks(ranges[i]);
     }
     [[gnu::always_inline]] bool visit(int ray, const TriangleBlock& block) {
-        testers_[ray].nearest(block, ranges_[ray], nearest_[ray]);
+        BlockTester(rays_[ray]).nearest(block, ranges_[ray], nearest_[ray]);
         return false;
     }
     double rangeMax(int ray) const { return ranges_[ray].max; }
@@ -195,7 +192,7 @@ class AnyQuery : PacketRays {
     AnyQuery(std::span<const Ray> rays, std::span<const Interval> ranges)
         : PacketRays(rays, ranges) {}
     [[gnu::always_inline]] bool visit(int ray, const TriangleBlock& block) {
-        const bool found = testers_[ray].any(block, ranges_[ray]);
+        const bool found = BlockTester(rays_[ray]).any(block, ranges_[ray]);
         met_ |= (found ? 1u : 0u) << ray;
         return found;
     }

@@ -5,6 +5,8 @@
 
 #include <immintrin.h>
 
+#include <limits>
+
 namespace rt::packet {
 
 inline constexpr int kRays = 16;
@@ -65,6 +67,33 @@ inline unsigned atMost(Register a, Register b) {
 }
 
 #endif
+
+/// All ones in the lanes whose bits are set.
+inline __m256 lanesOf(unsigned which) {
+    const __m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(which)), bits);
+    return _mm256_castsi256_ps(_mm256_cmpeq_epi32(set, bits));
+}
+
+/// Of the values whose bits are set, of which there is one at least.
+inline float least(const float* values, unsigned which) {
+    const __m256 none = _mm256_set1_ps(std::numeric_limits<float>::infinity());
+    const __m256 some =
+        _mm256_min_ps(_mm256_blendv_ps(none, _mm256_load_ps(values), lanesOf(which)),
+                      _mm256_blendv_ps(none, _mm256_load_ps(values + 8), lanesOf(which >> 8)));
+    __m128 low = _mm_min_ps(_mm256_castps256_ps128(some), _mm256_extractf128_ps(some, 1));
+    low = _mm_min_ps(low, _mm_movehl_ps(low, low));
+    return _mm_cvtss_f32(_mm_min_ss(low, _mm_movehdup_ps(low)));
+}
+inline float greatest(const float* values, unsigned which) {
+    const __m256 none = _mm256_set1_ps(-std::numeric_limits<float>::infinity());
+    const __m256 some =
+        _mm256_max_ps(_mm256_blendv_ps(none, _mm256_load_ps(values), lanesOf(which)),
+                      _mm256_blendv_ps(none, _mm256_load_ps(values + 8), lanesOf(which >> 8)));
+    __m128 high = _mm_max_ps(_mm256_castps256_ps128(some), _mm256_extractf128_ps(some, 1));
+    high = _mm_max_ps(high, _mm_movehl_ps(high, high));
+    return _mm_cvtss_f32(_mm_max_ss(high, _mm_movehdup_ps(high)));
+}
 
 }  // namespace rt::packet
 

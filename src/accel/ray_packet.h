@@ -26,6 +26,8 @@ class RayPacket {
                 reciprocal[axis][i] = ray.reciprocal[axis];
                 nearShift[axis][i] = ray.nearShift[axis];
                 farShift[axis][i] = ray.farShift[axis];
+                nearOrigin[axis][i] = ray.nearOrigin[axis];
+                farOrigin[axis][i] = ray.farOrigin[axis];
             }
             tauMin[i] = ray.tauBelow(ranges[i].min);
             tauMax[i] = ray.tauAbove(ranges[i].max);
@@ -91,6 +93,8 @@ class RayPacket {
     alignas(64) float reciprocal[3][packet::kRays] = {};
     alignas(64) float nearShift[3][packet::kRays] = {};
     alignas(64) float farShift[3][packet::kRays] = {};
+    alignas(64) float nearOrigin[3][packet::kRays] = {};
+    alignas(64) float farOrigin[3][packet::kRays] = {};
     BoxRay boxRays[packet::kRays];
 };
 
@@ -99,33 +103,22 @@ class RayPacket {
 /// the ends of both intervals.
 class PacketFrustum {
   public:
-    PacketFrustum(const RayPacket& packet, unsigned rays) {
-        const BoxRay& first = packet.boxRays[std::countr_zero(rays)];
-        tauMin_ = kInfinityF;
+    PacketFrustum(const RayPacket& bundle, unsigned rays) {
+        using packet::greatest, packet::least;
+        const BoxRay& first = bundle.boxRays[std::countr_zero(rays)];
         for (int axis = 0; axis < 3; ++axis) {
             nearPlane[axis] = first.nearPlane[axis];
             farPlane[axis] = first.farPlane[axis];
-            float low = kInfinityF, high = -kInfinityF;
-            float nearLow = kInfinityF, nearHigh = -kInfinityF;
-            float farLow = kInfinityF, farHigh = -kInfinityF;
-            for (unsigned left = rays; left != 0; left &= left - 1) {
-                const BoxRay& ray = packet.boxRays[std::countr_zero(left)];
-                low = std::min(low, ray.reciprocal[axis]);
-                high = std::max(high, ray.reciprocal[axis]);
-                nearLow = std::min(nearLow, ray.nearOrigin[axis]);
-                nearHigh = std::max(nearHigh, ray.nearOrigin[axis]);
-                farLow = std::min(farLow, ray.farOrigin[axis]);
-                farHigh = std::max(farHigh, ray.farOrigin[axis]);
-            }
-            const bool backwards = low < 0.0f;
-            low_[axis] = _mm256_set1_ps(low);
-            high_[axis] = _mm256_set1_ps(high);
-            nearOrigin_[axis] = _mm256_set1_ps(backwards ? nearLow : nearHigh);
-            farOrigin_[axis] = _mm256_set1_ps(backwards ? farHigh : farLow);
+            const float* const nears = bundle.nearOrigin[axis];
+            const float* const fars = bundle.farOrigin[axis];
+            const bool backwards = first.reciprocal[axis] < 0.0f;
+            low_[axis] = _mm256_set1_ps(least(bundle.reciprocal[axis], rays));
+            high_[axis] = _mm256_set1_ps(greatest(bundle.reciprocal[axis], rays));
+            nearOrigin_[axis] =
+                _mm256_set1_ps(backwards ? least(nears, rays) : greatest(nears, rays));
+            farOrigin_[axis] = _mm256_set1_ps(backwards ? greatest(fars, rays) : least(fars, rays));
         }
-        for (unsigned left = rays; left != 0; left &= left - 1) {
-            tauMin_ = std::min(tauMin_, packet.tauMin[std::countr_zero(left)]);
-        }
+        tauMin_ = least(bundle.tauMin, rays);
     }
 
     /// The boxes that may be met before tauMax, and where.
@@ -149,8 +142,6 @@ class PacketFrustum {
     int nearPlane[3], farPlane[3];
 
   private:
-    static constexpr float kInfinityF = std::numeric_limits<float>::infinity();
-
     __m256 low_[3], high_[3], nearOrigin_[3], farOrigin_[3];
     float tauMin_;
 };

@@ -1,6 +1,6 @@
 // The tree beside Embree 3 on one thread, interleaved in one run: medians of rounds.
 //   accel_bench [--mesh 20k|500k|4M|room]... [--isa baseline|avx2|avx512]... [--embree CONFIG]
-//               [--rounds N] [--size N] [--json FILE]
+//               [--rays primary|shadow|reflection|random]... [--rounds N] [--size N] [--json FILE]
 // Single rays and packets on each instruction set asked for (avx2 and avx512 where the processor
 // has them), against Embree's single rays, robust and fast, medium and high quality, the better of
 // each. CONFIG goes to rtcNewDevice, e.g. max_isa=avx2; Embree chooses by itself otherwise.
@@ -153,6 +153,7 @@ std::size_t traceInPackets(const MeshQueries& mesh, const MeshTree& tree, const 
 struct Settings {
     std::vector<std::string> meshes{"20k", "500k", "4M", "room"};
     std::vector<std::string> isas;
+    std::vector<std::string> rays;
     std::string embree;
     int rounds = 5;
     int size = 512;
@@ -287,7 +288,12 @@ nlohmann::json benchMesh(const Subject& subject, RTCDevice device,
                           {"embreeBytesPerTriangle", double(medium.bytes) / triangles},
                           {"embreeHighBuildSeconds", high.buildSeconds},
                           {"embreeHighBytesPerTriangle", double(high.bytes) / triangles}};
+    const auto isWanted = [&](const std::string& name) {
+        const auto& names = settings.rays;
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const RaySet& set : makeRays(mesh, tree, subject.view, settings.size)) {
+        if (!isWanted(set.name)) continue;
         result[set.name] = benchRays(set, tree, embree, kernels, settings.rounds, scores);
     }
     return result;
@@ -366,6 +372,8 @@ Settings parse(int count, char** arguments) {
             settings.size = std::stoi(value());
         else if (word == "--json")
             settings.json = value();
+        else if (word == "--rays")
+            settings.rays.push_back(value());
         else if (word == "--isa")
             settings.isas.push_back(value());
         else if (word == "--embree")
