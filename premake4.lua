@@ -179,7 +179,7 @@ if _OPTIONS["bench"] then
     local name = path:match("([%w_]+)%.cpp$")
     project(name)
       kind "ConsoleApp"
-      compile(name, name == "accel_bench" and KERNELS.avx512 or "-mavx2 -mfma")
+      compile(name, "-mavx2 -mfma")
       files { path }
       link_program()
       links { "benchmark", "embree3", "fmt" }

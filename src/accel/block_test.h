@@ -1,7 +1,11 @@
 // One ray against the triangles of a block: geometry/triangle.h, to the bit, lane by lane.
 #pragma once
 
-#include "block_lanes.h"
+#if defined(__AVX512F__)
+#include "block_eight.h"
+#else
+#include "block_filter.h"
+#endif
 #include "rt/accel/triangle_block.h"
 #include "rt/core/ray.h"
 #include "rt/geometry/triangle.h"
@@ -19,6 +23,7 @@ inline Vec3 cornerOf(const TriangleBlock& block, std::size_t which, std::size_t 
 /// The nearest hit of all blocks so far: lowest t, then lowest triangle.
 class NearestInBlocks {
   public:
+    NearestInBlocks() = default;
     explicit NearestInBlocks(Interval range) : t_(range.max) {}
 
     /// Takes a hit at t, which is within the range of the query, if it comes first; returns
@@ -39,7 +44,7 @@ class NearestInBlocks {
     }
 
   private:
-    double t_;
+    double t_ = kInfinity;
     Index triangle_ = kNone;
     TriangleWeights weights_{};
 };
@@ -55,76 +60,40 @@ class BlockTester {
           originZ_(lanes::all(ray.origin[ray.z])),
           shearX_(lanes::all(ray.shearX)),
           shearY_(lanes::all(ray.shearY)),
-          dz_(lanes::all(ray.dz)) {}
+          dz_(ray.dz) {}
 
     /// Offers the hits of the block to `best`, and lowers range.max to the nearest.
     [[gnu::always_inline]] void nearest(const TriangleBlock& block, Interval& range,
                                         NearestInBlocks& best) const {
-        eachGroup(block, range, [&](std::size_t first, const Hits& hits) {
-            alignas(64) double t[lanes::kCount], u[lanes::kCount], v[lanes::kCount],
-                w[lanes::kCount];
-            lanes::store(t, hits.t);
-            lanes::store(u, hits.u);
-            lanes::store(v, hits.v);
-            lanes::store(w, hits.w);
-            for (unsigned left = hits.mask; left != 0; left &= left - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-                if (best.offer(t[lane], block.id[first + lane], {u[lane], v[lane], w[lane]})) {
-                    range.max = t[lane];
-                }
-            }
+        eachHit(block, range, [&](std::size_t triangle, double t, const TriangleWeights& weights) {
+            if (best.offer(t, block.id[triangle], weights)) range.max = t;
             return false;
         });
     }
 
     /// Whether the block has a hit in `range`, its end included.
     [[gnu::always_inline]] bool any(const TriangleBlock& block, Interval range) const {
-        return eachGroup(block, range, [&](std::size_t, const Hits& hits) {
-            return (hits.mask & ~lanes::atLeast(hits.t, lanes::all(range.max))) != 0;
+        return eachHit(block, range, [&](std::size_t, double t, const TriangleWeights&) {
+            return t < range.max;
         });
     }
 
   private:
-    struct Hits {
-        unsigned mask;
-        lanes::Real t, u, v, w;
-    };
-
-    /// Calls take(first lane, hits) for groups of lanes with hits in ]range.min, range.max], until
-    /// it returns true; returns whether it did.
+    /// Calls take(triangle, t, weights) for the hits in ]range.min, range.max], until it returns
+    /// true; returns whether it did.
     template <class Take>
-    [[gnu::always_inline]] bool eachGroup(const TriangleBlock& block, const Interval& range,
-                                          Take&& take) const {
+    [[gnu::always_inline]] bool eachHit(const TriangleBlock& block, const Interval& range,
+                                        Take&& take) const {
         using namespace lanes;
         const Table tz = relativeTo(block.corner[z_], originZ_);
         const Table tx = sheared(relativeTo(block.corner[x_], originX_), tz, shearX_);
         const Table ty = sheared(relativeTo(block.corner[y_], originY_), tz, shearY_);
-        for (std::size_t first = 0; first < block.count; first += lanes::kCount) {
-            const Pick a = pick(block.triangle[0] + first);
-            const Pick b = pick(block.triangle[1] + first);
-            const Pick c = pick(block.triangle[2] + first);
-            const Real ax = look(tx, a), bx = look(tx, b), cx = look(tx, c);
-            const Real ay = look(ty, a), by = look(ty, b), cy = look(ty, c);
-            const Real u = lanes::differenceOfProducts(cx, by, cy, bx);
-            const Real v = lanes::differenceOfProducts(ax, cy, ay, cx);
-            const Real w = lanes::differenceOfProducts(bx, ay, by, ax);
-            const Real zero = all(0.0);
-            const Real sum = u + v + w;
-            unsigned mask = (atLeast(u, zero) & atLeast(v, zero) & atLeast(w, zero)) |
-                            (atLeast(zero, u) & atLeast(zero, v) & atLeast(zero, w));
-            mask &= notZero(sum);
-            if (mask == 0) continue;
-            const Real depth =
-                multiplyAdd(u, look(tz, a), multiplyAdd(v, look(tz, b), w * look(tz, c)));
-            const Real t = depth / sum / dz_;
-            mask &= above(t, all(range.min)) & atLeast(all(range.max), t);
-            if (mask != 0 && take(first, Hits{mask, t, u, v, w})) return true;
-        }
-        return false;
+        return lanes::eachHit(block, {tx, ty, tz}, dz_, range, take);
     }
 
     int x_, y_, z_;
-    lanes::Real originX_, originY_, originZ_, shearX_, shearY_, dz_;
+    lanes::Real originX_, originY_, originZ_, shearX_, shearY_;
+    double dz_;
 };
 
 }  // namespace rt

@@ -3,6 +3,8 @@
 #include "scene_intersect.h"
 #include "tracer_variants.h"
 
+#include <utility>
+
 #if defined(RT_KERNEL_AVX512)
 #define RT_KERNEL_ENTRY rtKernel_avx512
 #define RT_KERNEL_NAME "avx512"
@@ -27,7 +29,16 @@ void probeTile(const RenderScene& scene, const TraceSettings& settings, const Ti
     tileProberFor(scene.features)(scene, settings, corners, ends, probes, counts);
 }
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, &renderTile, &probeTile, &intersectShape};
+/// Member functions of MeshTree as plain ones.
+template <auto Member, class... Arguments>
+auto ask(const MeshTree& tree, Arguments... arguments) {
+    return (tree.*Member)(std::forward<Arguments>(arguments)...);
+}
+
+constexpr MeshQueries kMesh{&ask<&MeshTree::closestHit>, &ask<&MeshTree::anyHit>,
+                            &ask<&MeshTree::closestHits>, &ask<&MeshTree::anyHits>};
+
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh, &renderTile, &probeTile, &intersectShape};
 
 }  // namespace
 }  // namespace rt

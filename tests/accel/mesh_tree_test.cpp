@@ -3,12 +3,14 @@
 
 #include "accel/accel_cases.h"
 #include "rt/geometry/triangle.h"
+#include "rt/render/kernel_choice.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 
 using namespace rt;
 using namespace rt::test;
@@ -38,9 +40,33 @@ bool same(const PrimitiveHit& a, const PrimitiveHit& b) {
     return a.t == b.t && a.part == b.part && a.local == b.local;
 }
 
-/// Asks tree and loop the same; returns whether all answers agree.
-bool agrees(const TriangleMesh& mesh, const MeshTree& tree, const Ray& ray, Interval range) {
-    const std::vector<PrimitiveHit> truth = allByLoop(mesh, ray, range);
+/// Whether single rays and packets on every instruction set give the first of `truths[i]` for ray
+/// i.
+bool kernelsAgree(const MeshTree& tree, const std::vector<Ray>& rays,
+                  const std::vector<Interval>& ranges,
+                  const std::vector<std::vector<PrimitiveHit>>& truths) {
+    std::vector<PrimitiveHit> hits(rays.size());
+    const std::unique_ptr<bool[]> met(new bool[rays.size()]);
+    bool agree = true;
+    for (const TraceKernel* kernel : availableKernels()) {
+        const MeshQueries& mesh = kernel->mesh;
+        mesh.closestHits(tree, rays, ranges, hits);
+        mesh.anyHits(tree, rays, ranges, {met.get(), rays.size()});
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const bool isHit = !truths[i].empty();
+            PrimitiveHit hit;
+            agree = agree && mesh.closestHit(tree, rays[i], ranges[i], hit) == isHit;
+            agree = agree && mesh.anyHit(tree, rays[i], ranges[i]) == isHit && met[i] == isHit;
+            agree = agree && (hits[i].part != kNone) == isHit;
+            if (isHit) agree = agree && same(hit, truths[i][0]) && same(hits[i], truths[i][0]);
+        }
+    }
+    return agree;
+}
+
+/// Asks the tree the same as the loop; returns whether all answers agree.
+bool agrees(const std::vector<PrimitiveHit>& truth, const MeshTree& tree, const Ray& ray,
+            Interval range) {
     PrimitiveHit hit;
     std::vector<PrimitiveHit> all;
     tree.allHits(ray, range, all);
@@ -48,6 +74,26 @@ bool agrees(const TriangleMesh& mesh, const MeshTree& tree, const Ray& ray, Inte
     return found == !truth.empty() && tree.anyHit(ray, range) == found &&
            (!found || same(hit, truth.front())) &&
            std::equal(all.begin(), all.end(), truth.begin(), truth.end(), same);
+}
+
+/// A ray much like `ray`, as the next one of a packet is: sometimes the very same.
+Ray nearby(Draws& draws, const Ray& ray, double size) {
+    const double apart = draws.below(8) == 0 ? 0.0 : draws.magnitude(-8, -1);
+    const Vec3 target = ray.origin + ray.direction + apart * size * draws.unit();
+    Ray next = ray;
+    if (draws.below(2) == 0) next.origin += apart * size * draws.unit();
+    next.direction = apart > 0.0 ? target - next.origin : ray.direction;
+    return next;
+}
+
+/// Hostile rays: 48 by themselves, then 48 in bundles, and so on.
+std::vector<Ray> hostileRays(Draws& draws, const TriangleMesh& mesh, double size, int count) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const bool follows = i / 48 % 2 == 1 && draws.below(24) != 0;
+        rays.push_back(follows ? nearby(draws, rays.back(), size) : hostileRay(draws, mesh, size));
+    }
+    return rays;
 }
 
 void compareWithLoop(unsigned seed, int meshes, int raysEach) {
@@ -58,13 +104,17 @@ void compareWithLoop(unsigned seed, int meshes, int raysEach) {
         const Vec3 at = round % 3 == 0 ? Vec3(0.0) : size * draws.magnitude(0, 6) * draws.unit();
         const TriangleMesh mesh = triangleSoup(draws, 1 + draws.below(60), size, at);
         const MeshTree tree = MeshTree::build(mesh, 1);
+        const std::vector<Ray> rays = hostileRays(draws, mesh, size, raysEach);
+        std::vector<Interval> ranges;
+        std::vector<std::vector<PrimitiveHit>> truths;
         int wrong = 0;
-        for (int i = 0; i < raysEach; ++i) {
-            const Ray ray = hostileRay(draws, mesh, size);
-            const Interval range = i % 3 == 0 ? Interval{0.25, 1.5} : Interval{};
-            wrong += agrees(mesh, tree, ray, range) ? 0 : 1;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            ranges.push_back(i % 3 == 0 ? Interval{0.25, 1.5} : Interval{});
+            truths.push_back(allByLoop(mesh, rays[i], ranges[i]));
+            wrong += agrees(truths[i], tree, rays[i], ranges[i]) ? 0 : 1;
         }
         REQUIRE(wrong == 0);
+        REQUIRE(kernelsAgree(tree, rays, ranges, truths));
     }
 }
 
@@ -170,10 +220,24 @@ TEST_CASE("a mesh of needles is split, and answers all the same") {
     const TriangleMesh mesh = needles(draws, 400);
     const MeshTree tree = MeshTree::build(mesh, 1);
     int wrong = 0;
-    for (int i = 0; i < 5000; ++i) {
-        wrong += agrees(mesh, tree, hostileRay(draws, mesh, 1.0), {}) ? 0 : 1;
+    for (const Ray& ray : hostileRays(draws, mesh, 1.0, 5000)) {
+        wrong += agrees(allByLoop(mesh, ray, {}), tree, ray, {}) ? 0 : 1;
     }
     CHECK(wrong == 0);
+}
+
+TEST_CASE("packets and single rays on every instruction set answer alike in a large mesh") {
+    Draws draws{std::mt19937_64(48)};
+    const TriangleMesh mesh = closedBall(draws, 6, 1.0, Vec3(0.0));
+    const MeshTree tree = MeshTree::build(mesh, 2);
+    const std::vector<Ray> rays = hostileRays(draws, mesh, 0.1, 20000);
+    const std::vector<Interval> ranges(rays.size(), Interval{0.01, 3.0});
+    std::vector<std::vector<PrimitiveHit>> truths;
+    for (const Ray& ray : rays) {
+        PrimitiveHit hit;
+        truths.emplace_back(tree.closestHit(ray, ranges[0], hit) ? 1 : 0, hit);
+    }
+    CHECK(kernelsAgree(tree, rays, ranges, truths));
 }
 
 TEST_CASE("no ray from inside slips between the triangles of a closed mesh") {

@@ -1,12 +1,13 @@
-// The tree beside Embree 3, single rays on one thread, interleaved in one run: medians of rounds.
-//   accel_bench [--mesh 20k|500k|4M|room]... [--rounds N] [--size N] [--high] [--json FILE]
-// --high builds Embree's high quality for the 4M mesh too; elsewhere it is always there.
+// The tree beside Embree 3 on one thread, interleaved in one run: medians of rounds.
+//   accel_bench [--mesh 20k|500k|4M|room]... [--isa baseline|avx2|avx512]... [--embree CONFIG]
+//               [--rays primary|shadow|reflection|random]... [--rounds N] [--size N] [--json FILE]
+// Single rays and packets on each instruction set asked for (avx2 and avx512 where the processor
+// has them), against Embree's single rays, robust and fast, medium and high quality, the better of
+// each. CONFIG goes to rtcNewDevice, e.g. max_isa=avx2; Embree chooses by itself otherwise.
 #include "accel_meshes.h"
 #include "rt/accel/mesh_tree.h"
 #include "rt/geometry/triangle.h"
-
-// Compiled into this program, for the instruction set that it is built for.
-#include "../../src/accel/mesh_tree.cpp"
+#include "rt/render/kernel_choice.h"
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -15,23 +16,14 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
 #include <functional>
-#include <optional>
+#include <memory>
 
 namespace rt::bench {
 namespace {
-
-#if defined(__AVX512F__)
-constexpr const char* kVariant = "AVX-512";
-#elif defined(__AVX2__)
-constexpr const char* kVariant = "AVX2";
-#else
-constexpr const char* kVariant = "baseline";
-#endif
 
 constexpr int kBuildThreads = 2;
 
@@ -65,12 +57,13 @@ bool countBytes(void*, ssize_t bytes, bool) {
     return true;
 }
 
-/// A robust Embree scene of one mesh.
+/// An Embree scene of one mesh.
 class EmbreeScene {
   public:
-    EmbreeScene(RTCDevice device, const TriangleMesh& mesh, RTCBuildQuality quality)
+    EmbreeScene(RTCDevice device, const TriangleMesh& mesh, RTCSceneFlags flags,
+                RTCBuildQuality quality)
         : scene_(rtcNewScene(device)) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneFlags(scene_, flags);
         rtcSetSceneBuildQuality(scene_, quality);
         const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* positions = static_cast<float*>(
@@ -126,21 +119,44 @@ class EmbreeScene {
     RTCScene scene_;
 };
 
-std::size_t traceOwn(const MeshTree& tree, const RaySet& set) {
+std::size_t traceSingly(const MeshQueries& mesh, const MeshTree& tree, const RaySet& set) {
     std::size_t hits = 0;
     const Interval range{set.tMin, set.tMax};
     for (const Ray& ray : set.rays) {
         PrimitiveHit hit;
-        hits += set.anyHit ? tree.anyHit(ray, range) : tree.closestHit(ray, range, hit);
+        hits += set.anyHit ? mesh.anyHit(tree, ray, range) : mesh.closestHit(tree, ray, range, hit);
+    }
+    return hits;
+}
+
+std::size_t traceInPackets(const MeshQueries& mesh, const MeshTree& tree, const RaySet& set) {
+    constexpr std::size_t kBatch = 64;
+    const std::vector<Interval> ranges(kBatch, {set.tMin, set.tMax});
+    PrimitiveHit found[kBatch];
+    bool met[kBatch];
+    std::size_t hits = 0;
+    for (std::size_t first = 0; first < set.rays.size(); first += kBatch) {
+        const std::size_t count = std::min(kBatch, set.rays.size() - first);
+        const std::span some(set.rays.data() + first, count);
+        const std::span someRanges(ranges.data(), count);
+        if (set.anyHit) {
+            mesh.anyHits(tree, some, someRanges, {met, count});
+            hits += static_cast<std::size_t>(std::count(met, met + count, true));
+        } else {
+            mesh.closestHits(tree, some, someRanges, {found, count});
+            for (std::size_t i = 0; i < count; ++i) hits += found[i].part != kNone;
+        }
     }
     return hits;
 }
 
 struct Settings {
     std::vector<std::string> meshes{"20k", "500k", "4M", "room"};
+    std::vector<std::string> isas;
+    std::vector<std::string> rays;
+    std::string embree;
     int rounds = 5;
     int size = 512;
-    bool high = false;
     std::string json;
 };
 
@@ -174,45 +190,111 @@ std::vector<double> race(const std::vector<std::function<std::size_t()>>& tracer
     return rates;
 }
 
-nlohmann::json benchMesh(const Subject& subject, RTCDevice device, const Settings& settings,
-                         std::vector<double>& ratios) {
+/// Embree's four scenes of a mesh: robust and fast, at two qualities.
+struct EmbreeScenes {
+    EmbreeScenes(RTCDevice device, const TriangleMesh& mesh) {
+        for (const RTCSceneFlags flags : {RTC_SCENE_FLAG_ROBUST, RTC_SCENE_FLAG_NONE}) {
+            for (const RTCBuildQuality quality :
+                 {RTC_BUILD_QUALITY_MEDIUM, RTC_BUILD_QUALITY_HIGH}) {
+                scenes.push_back(std::make_unique<EmbreeScene>(device, mesh, flags, quality));
+            }
+        }
+    }
+    std::vector<std::unique_ptr<EmbreeScene>> scenes;
+};
+
+/// Ratios to Embree, gathered over all cells.
+struct Ratios {
+    std::vector<double> values;
+
+    void add(double ratio) { values.push_back(ratio); }
+    double least() const { return *std::min_element(values.begin(), values.end()); }
+    double mean() const {
+        double sum = 0.0;
+        for (const double ratio : values) sum += std::log(ratio);
+        return std::exp(sum / double(values.size()));
+    }
+};
+
+/// One instruction set's ratios, by what they compare.
+struct Score {
+    Ratios robust, fast, packets;  ///< packets: of primary and shadow rays, to robust single rays
+};
+
+nlohmann::json benchRays(const RaySet& set, const MeshTree& tree, const EmbreeScenes& embree,
+                         const std::vector<const TraceKernel*>& kernels, int rounds,
+                         std::vector<Score>& scores) {
+    std::vector<std::function<std::size_t()>> tracers;
+    for (const auto& scene : embree.scenes) tracers.push_back([&] { return scene->trace(set); });
+    for (const TraceKernel* kernel : kernels) {
+        tracers.push_back([&, kernel] { return traceSingly(kernel->mesh, tree, set); });
+        tracers.push_back([&, kernel] { return traceInPackets(kernel->mesh, tree, set); });
+    }
+    const std::vector<double> rates = race(tracers, set.rays.size(), rounds);
+    const double robust = std::max(rates[0], rates[1]), fast = std::max(rates[2], rates[3]);
+    fmt::print("  {:<11}{:>7.2f}{:>7.2f}", set.name, robust, fast);
+    nlohmann::json result{{"rays", set.rays.size()},
+                          {"hits", tracers.back()()},
+                          {"embreeHits", tracers.front()()},
+                          {"embreeRobust", robust},
+                          {"embreeFast", fast}};
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        const double single = rates[4 + 2 * i], packets = rates[5 + 2 * i];
+        Score& score = scores[i];
+        score.robust.add(single / robust);
+        score.fast.add(single / fast);
+        if (set.name == "primary" || set.name == "shadow") score.packets.add(packets / robust);
+        fmt::print(" |{:>7.2f}{:>6.2f}{:>6.2f} {:>7.2f}{:>6.2f}", single, single / robust,
+                   single / fast, packets, packets / robust);
+        result[kernels[i]->name] = {{"single", single},
+                                    {"nsPerRay", 1e3 / single},
+                                    {"toRobust", single / robust},
+                                    {"toFast", single / fast},
+                                    {"packets", packets},
+                                    {"packetsToRobust", packets / robust}};
+    }
+    fmt::print("   {} / {}\n", tracers.back()(), tracers.front()());
+    std::fflush(stdout);
+    return result;
+}
+
+nlohmann::json benchMesh(const Subject& subject, RTCDevice device,
+                         const std::vector<const TraceKernel*>& kernels, const Settings& settings,
+                         std::vector<Score>& scores) {
     const TriangleMesh& mesh = subject.mesh;
     const double triangles = double(mesh.triangles.size());
     MeshTree tree;
-    const double own = secondsOf([&] { tree = MeshTree::build(mesh, kBuildThreads); });
-    const EmbreeScene medium(device, mesh, RTC_BUILD_QUALITY_MEDIUM);
-    std::optional<EmbreeScene> high;
-    if (subject.name != "4M" || settings.high) high.emplace(device, mesh, RTC_BUILD_QUALITY_HIGH);
+    const double first = secondsOf([&] { tree = MeshTree::build(mesh, kBuildThreads); });
+    const EmbreeScenes embree(device, mesh);
+    tree = {};
     const double again = secondsOf([&] { tree = MeshTree::build(mesh, kBuildThreads); });
-    const double best = std::min(own, again);
+    const double build = std::min(first, again);
+    const EmbreeScene& medium = *embree.scenes[0];
+    const EmbreeScene& high = *embree.scenes[3];
     fmt::print(
-        "\n{} ({} triangles): build {:.3f} s, {:.1f} bytes a triangle; Embree medium {:.3f} s, "
-        "{:.1f} bytes",
-        subject.name, mesh.triangles.size(), best, double(tree.bytes()) / triangles,
-        medium.buildSeconds, double(medium.bytes) / triangles);
-    if (high) {
-        fmt::print("; high {:.3f} s, {:.1f} bytes", high->buildSeconds,
-                   double(high->bytes) / triangles);
+        "\n{} ({} triangles): build {:.3f} s, {:.1f} bytes a triangle; Embree robust {:.3f} s, "
+        "{:.1f} bytes; fast, high {:.3f} s, {:.1f} bytes\n  {:<11}{:>14}",
+        subject.name, mesh.triangles.size(), build, double(tree.bytes()) / triangles,
+        medium.buildSeconds, double(medium.bytes) / triangles, high.buildSeconds,
+        double(high.bytes) / triangles, "Mrays/s", "robust   fast");
+    for (const TraceKernel* kernel : kernels) {
+        fmt::print(" |{:>8} /rob /fast packets  /rob", kernel->name);
     }
-    fmt::print("\n  {:<12}{:>10}{:>10}{:>10}{:>10}   hits\n", "Mrays/s", "own", "medium", "high",
-               "ratio");
+    fmt::print("   hits\n");
     nlohmann::json result{{"triangles", mesh.triangles.size()},
-                          {"buildSeconds", best},
-                          {"bytes", tree.bytes()},
+                          {"buildSeconds", build},
+                          {"bytesPerTriangle", double(tree.bytes()) / triangles},
                           {"embreeBuildSeconds", medium.buildSeconds},
-                          {"embreeBytes", medium.bytes}};
+                          {"embreeBytesPerTriangle", double(medium.bytes) / triangles},
+                          {"embreeHighBuildSeconds", high.buildSeconds},
+                          {"embreeHighBytesPerTriangle", double(high.bytes) / triangles}};
+    const auto isWanted = [&](const std::string& name) {
+        const auto& names = settings.rays;
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    };
     for (const RaySet& set : makeRays(mesh, tree, subject.view, settings.size)) {
-        std::vector<std::function<std::size_t()>> tracers{[&] { return traceOwn(tree, set); },
-                                                          [&] { return medium.trace(set); }};
-        if (high) tracers.push_back([&] { return high->trace(set); });
-        const std::vector<double> rates = race(tracers, set.rays.size(), settings.rounds);
-        const double rival = *std::max_element(rates.begin() + 1, rates.end());
-        ratios.push_back(rates[0] / rival);
-        fmt::print("  {:<12}{:>10.2f}{:>10.2f}{:>10}{:>10.2f}   {} / {}\n", set.name, rates[0],
-                   rates[1], high ? fmt::format("{:.2f}", rates[2]) : "-", ratios.back(),
-                   traceOwn(tree, set), medium.trace(set));
-        result[set.name] = {{"own", rates[0]}, {"embree", rival}, {"ratio", ratios.back()}};
-        std::fflush(stdout);
+        if (!isWanted(set.name)) continue;
+        result[set.name] = benchRays(set, tree, embree, kernels, settings.rounds, scores);
     }
     return result;
 }
@@ -290,8 +372,12 @@ Settings parse(int count, char** arguments) {
             settings.size = std::stoi(value());
         else if (word == "--json")
             settings.json = value();
-        else if (word == "--high")
-            settings.high = true;
+        else if (word == "--rays")
+            settings.rays.push_back(value());
+        else if (word == "--isa")
+            settings.isas.push_back(value());
+        else if (word == "--embree")
+            settings.embree = value();
         else
             throw std::invalid_argument("unknown option " + word);
     }
@@ -299,25 +385,40 @@ Settings parse(int count, char** arguments) {
     return settings;
 }
 
+std::vector<const TraceKernel*> chooseKernels(const std::vector<std::string>& names) {
+    std::vector<const TraceKernel*> kernels;
+    for (const std::string& name : names) kernels.push_back(&chooseKernel(name));
+    if (names.empty()) kernels.assign(availableKernels().begin() + 1, availableKernels().end());
+    if (kernels.empty()) kernels.push_back(availableKernels().front());
+    return kernels;
+}
+
 void run(const Settings& settings) {
-    fmt::print("own tree: {}; {} x {} rays, medians of {} rounds\n", kVariant, settings.size,
-               settings.size, settings.rounds);
-    nlohmann::json report{{"variant", kVariant}};
+    const std::vector<const TraceKernel*> kernels = chooseKernels(settings.isas);
+    fmt::print("{} x {} rays, medians of {} rounds; Embree {}\n", settings.size, settings.size,
+               settings.rounds, settings.embree.empty() ? "as it chooses" : settings.embree);
+    nlohmann::json report{{"size", settings.size}, {"rounds", settings.rounds}};
     report["triangle"] = benchTriangle(4 * settings.rounds + 1);
-    const RTCDevice device = rtcNewDevice(fmt::format("threads={}", kBuildThreads).c_str());
+    const std::string config = fmt::format("threads={},{}", kBuildThreads, settings.embree);
+    const RTCDevice device = rtcNewDevice(config.c_str());
     rtcSetDeviceMemoryMonitorFunction(device, countBytes, nullptr);
-    std::vector<double> ratios;
+    std::vector<Score> scores(kernels.size());
     for (const std::string& name : settings.meshes) {
-        report["meshes"][name] = benchMesh(makeSubject(name), device, settings, ratios);
+        report["meshes"][name] = benchMesh(makeSubject(name), device, kernels, settings, scores);
     }
     rtcReleaseDevice(device);
-    double logarithms = 0.0;
-    for (const double ratio : ratios) logarithms += std::log(ratio);
-    const double mean = std::exp(logarithms / double(ratios.size()));
-    const double least = *std::min_element(ratios.begin(), ratios.end());
-    fmt::print("\nratio to Embree robust: least {:.2f}, geometric mean {:.2f}\n", least, mean);
-    report["least"] = least;
-    report["mean"] = mean;
+    fmt::print("\n");
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        for (const auto& [what, ratios] :
+             {std::pair{"single rays to robust", &scores[i].robust},
+              std::pair{"single rays to fast", &scores[i].fast},
+              std::pair{"coherent packets to robust", &scores[i].packets}}) {
+            fmt::print("{:<9}{:<28} least {:.2f}, geometric mean {:.2f}\n", kernels[i]->name, what,
+                       ratios->least(), ratios->mean());
+            report["summary"][kernels[i]->name][what] = {{"least", ratios->least()},
+                                                         {"mean", ratios->mean()}};
+        }
+    }
     if (!settings.json.empty()) std::ofstream(settings.json) << report.dump(2) << '\n';
 }
 
@@ -325,12 +426,6 @@ void run(const Settings& settings) {
 }  // namespace rt::bench
 
 int main(int count, char** arguments) {
-#if defined(__AVX512F__)
-    if (!__builtin_cpu_supports("avx512dq")) {
-        fmt::print(stderr, "accel_bench: built for AVX-512, which this processor lacks\n");
-        return 2;
-    }
-#endif
     try {
         rt::bench::run(rt::bench::parse(count, arguments));
         return 0;

@@ -217,7 +217,16 @@ struct RaySet {
     double tMax = kInfinity;
 };
 
-/// Primary rays of a size x size picture; from what they hit, shadow rays to a light and mirror
+/// Pixel number i of a picture that is taken in squares of 4 x 4, as (column, row).
+inline std::pair<int, int> pixelAt(int i, int size) {
+    constexpr int kSquare = 4;
+    const int square = i / (kSquare * kSquare), within = i % (kSquare * kSquare);
+    const int squares = size / kSquare;
+    return {kSquare * (square % squares) + within % kSquare,
+            kSquare * (square / squares) + within / kSquare};
+}
+
+/// Primary rays of a size x size picture (a multiple of 4); from what they hit, shadow rays to a light and mirror
 /// rays; and rays between random points of the box.
 inline std::vector<RaySet> makeRays(const TriangleMesh& mesh, const MeshTree& tree, const Ray& view,
                                     int size) {
@@ -233,8 +242,9 @@ inline std::vector<RaySet> makeRays(const TriangleMesh& mesh, const MeshTree& tr
     const Vec3 up = glm::cross(right, forward);
     const Vec3 light = view.origin + 0.2 * reach * up + 0.15 * reach * right;
     for (int i = 0; i < size * size; ++i) {
-        const double x = (2.0 * (i % size) + 1.0) / size - 1.0;
-        const double y = 1.0 - (2.0 * double(i / size) + 1.0) / size;
+        const auto [column, row] = pixelAt(i, size);
+        const double x = (2.0 * column + 1.0) / size - 1.0;
+        const double y = 1.0 - (2.0 * row + 1.0) / size;
         const Ray ray{view.origin, glm::normalize(forward + 0.5 * (x * right + y * up))};
         primary.rays.push_back(ray);
         PrimitiveHit hit;

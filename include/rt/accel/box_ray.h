@@ -16,6 +16,8 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 
 namespace rt {
 
@@ -37,6 +39,9 @@ class BoxRay {
     float reciprocal[3];
     float nearShift[3];  ///< tau of a near plane p is p * reciprocal + nearShift
     float farShift[3];
+    float
+        nearOrigin[3];  ///< padded origins: tau of a near plane p is (p - nearOrigin) * reciprocal
+    float farOrigin[3];
     int nearPlane[3];  ///< rows of WideNode::plane
     int farPlane[3];
 
@@ -48,7 +53,7 @@ class BoxRay {
         return std::clamp(t * rate_ - start_, -kTauLimit, kTauLimit);
     }
     double slack(double tau) const { return startSlack_ + kFloatRounding * std::fabs(tau); }
-    void setAxis(int axis, double origin, double direction, double pad);
+    void setAxes(const Vec3& origin, const Vec3& direction, double pad);
     /// Moves a far `origin` towards the tree; false where the line passes it by.
     bool approach(Vec3& origin, const Vec3& direction, double pad);
 
@@ -66,16 +71,36 @@ inline double longestComponent(const Vec3& v) {
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
 
-inline void BoxRay::setAxis(int axis, double origin, double direction, double pad) {
-    const double slope = std::copysign(std::max(std::fabs(direction), kLeastSlope), direction);
-    const double outward = std::copysign(pad, slope);
-    const double inverse = 1.0 / slope;
-    const bool backwards = slope < 0.0;
-    reciprocal[axis] = static_cast<float>(inverse);
-    nearShift[axis] = static_cast<float>(-(origin + outward) * inverse);
-    farShift[axis] = static_cast<float>(-(origin - outward) * inverse);
-    nearPlane[axis] = 2 * axis + (backwards ? 1 : 0);
-    farPlane[axis] = 2 * axis + (backwards ? 0 : 1);
+inline void BoxRay::setAxes(const Vec3& origin, const Vec3& direction, double pad) {
+    // All axes at once; values are not passed around, as their registers differ by processor.
+    using Four = double __attribute__((vector_size(32)));
+    using Bits = std::int64_t __attribute__((vector_size(32)));
+    using Floats = float __attribute__((vector_size(16)));
+    const Four o{origin.x, origin.y, origin.z, 0.0};
+    const Four d{direction.x, direction.y, direction.z, 1.0};
+    constexpr std::int64_t kSignBit = std::numeric_limits<std::int64_t>::min();
+    const Bits sign = (Bits)d & kSignBit;
+    const Four size = (Four)((Bits)d & ~kSignBit);
+    const Four clamped = size > kLeastSlope ? size : Four{} + kLeastSlope;
+    const Four inverse = 1.0 / (Four)((Bits)clamped | sign);
+    const Four outward = (Four)((Bits)(Four{} + pad) | sign);
+    const Four nearAt = o + outward;
+    const Four farAt = o - outward;
+    const Floats all[] = {__builtin_convertvector(inverse, Floats),
+                          __builtin_convertvector(-nearAt * inverse, Floats),
+                          __builtin_convertvector(-farAt * inverse, Floats),
+                          __builtin_convertvector(nearAt, Floats),
+                          __builtin_convertvector(farAt, Floats)};
+    std::memcpy(reciprocal, &all[0], sizeof reciprocal);
+    std::memcpy(nearShift, &all[1], sizeof nearShift);
+    std::memcpy(farShift, &all[2], sizeof farShift);
+    std::memcpy(nearOrigin, &all[3], sizeof nearOrigin);
+    std::memcpy(farOrigin, &all[4], sizeof farOrigin);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int backwards = sign[axis] < 0 ? 1 : 0;
+        nearPlane[axis] = 2 * axis + backwards;
+        farPlane[axis] = 2 * axis + 1 - backwards;
+    }
 }
 
 inline bool BoxRay::approach(Vec3& origin, const Vec3& direction, double pad) {
@@ -118,7 +143,7 @@ inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
     out.start_ = 0.0;
     out.startSlack_ = kFloatRounding;
     if (away > 2.0 && !out.approach(origin, direction, pad)) return false;
-    for (int axis = 0; axis < 3; ++axis) out.setAxis(axis, origin[axis], direction[axis], pad);
+    out.setAxes(origin, direction, pad);
     return true;
 }
 

@@ -12,6 +12,7 @@
 #include "rt/geometry/triangle_mesh.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace rt {
@@ -25,6 +26,16 @@ class MeshTree {
     /// The nearest hit in `range`; `hit.part` is the triangle, `hit.local` its barycentric weights.
     [[nodiscard]] bool closestHit(const Ray& ray, Interval range, PrimitiveHit& hit) const;
     [[nodiscard]] bool anyHit(const Ray& ray, Interval range) const;
+
+    /// The same for many rays, to the bit: ray i in ranges[i] gets hits[i], whose part is kNone
+    /// where nothing is hit. Rays that start and go alike in runs of 16 (pixels of a 4 x 4 square,
+    /// their shadow rays to one light) share their walk; others cost as much as single ones.
+    void closestHits(std::span<const Ray> rays, std::span<const Interval> ranges,
+                     std::span<PrimitiveHit> hits) const;
+    /// met[i]: whether ray i hits anything in ranges[i].
+    void anyHits(std::span<const Ray> rays, std::span<const Interval> ranges,
+                 std::span<bool> met) const;
+
     /// Every triangle hit in `range`, by t, then by triangle.
     void allHits(const Ray& ray, Interval range, std::vector<PrimitiveHit>& hits) const;
 

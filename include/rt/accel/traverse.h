@@ -27,11 +27,12 @@ class LeafWalk {
           boxes_(ray) {}
 
     /// Calls leaf(ChildRef, tauMax) for the leaves met in [tauMin, tauMax], near ones first, until
-    /// it returns true. It may lower tauMax.
+    /// it returns true. It may lower tauMax. The walk begins at `start`.
     template <class Leaf>
-    [[gnu::always_inline]] void run(float tauMin, float tauMax, Leaf&& leaf) {
+    [[gnu::always_inline]] void run(float tauMin, float tauMax, Leaf&& leaf,
+                                    ChildRef start = ChildRef::node(0)) {
         WaitingChild* top = stack_;
-        std::uint32_t current = ChildRef::node(0).bits();
+        std::uint32_t current = start.bits();
         for (;;) {
             const ChildRef child = ChildRef::fromBits(current);
             if (child.isLeaf()) {

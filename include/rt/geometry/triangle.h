@@ -19,6 +19,7 @@ namespace rt {
 
 /// A ray prepared for triangle tests. A direction of zero, or one that is not finite, hits nothing.
 struct TriangleRay {
+    TriangleRay() = default;
     explicit TriangleRay(const Ray& ray);
 
     Vec3 origin;
@@ -69,10 +70,10 @@ inline TriangleWeights triangleWeights(const ShearedCorner& a, const ShearedCorn
 }
 
 /// t of the weighted corner depths; NaN where the arithmetic failed.
-inline double triangleDistance(const TriangleRay& ray, const TriangleWeights& weights, double za,
-                               double zb, double zc) {
+inline double triangleDistance(double dz, const TriangleWeights& weights, double za, double zb,
+                               double zc) {
     const double depth = std::fma(weights.u, za, std::fma(weights.v, zb, weights.w * zc));
-    return depth / weights.sum() / ray.dz;
+    return depth / weights.sum() / dz;
 }
 
 /// The crossing of the ray with triangle (a, b, c) in `range`, if any. `hit.t` and `hit.local` (the
@@ -86,7 +87,7 @@ inline double triangleDistance(const TriangleRay& ray, const TriangleWeights& we
     // Opposite signs settle most misses; a product that underflows is left to the full test.
     if (weights.u * weights.v < 0.0) return false;
     if (!weights.inside()) return false;
-    const double t = triangleDistance(ray, weights, sa.z, sb.z, sc.z);
+    const double t = triangleDistance(ray.dz, weights, sa.z, sb.z, sc.z);
     if (!range.contains(t)) return false;
     hit.t = t;
     hit.local = Vec3(weights.u, weights.v, weights.w) / weights.sum();

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 
 namespace rt {
 
@@ -72,8 +73,19 @@ struct SceneHit {
     double spread = 0.0;
 };
 
+/// MeshTree's questions, as this instruction set answers them.
+struct MeshQueries {
+    bool (*closestHit)(const MeshTree& tree, const Ray& ray, Interval range, PrimitiveHit& hit);
+    bool (*anyHit)(const MeshTree& tree, const Ray& ray, Interval range);
+    void (*closestHits)(const MeshTree& tree, std::span<const Ray> rays,
+                        std::span<const Interval> ranges, std::span<PrimitiveHit> hits);
+    void (*anyHits)(const MeshTree& tree, std::span<const Ray> rays,
+                    std::span<const Interval> ranges, std::span<bool> met);
+};
+
 struct TraceKernel {
     const char* name;
+    MeshQueries mesh;
 
     /// Adds to each pixel of `tile` the samples that it lacks of its number in `ends`. `pixels` and
     /// `ends` are row-major, tile.width() wide.
