@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -19,6 +20,12 @@ constexpr double kLeftByCorrection = 0.5;
 
 /// Variance of (f_xx + f_yy) / 12 in that of a corner: 4 (1/2)^2 + 8 (1/4)^2, over 144.
 constexpr double kNoiseOfDifferences = 1.5 / 144;
+
+/// Variance of the change of a second difference, 1 3 3 1 squared, in that of a corner.
+constexpr double kNoiseOfChange = 20.0;
+
+/// Squared error of a step of T/2 at an unknown place in the pixel: (T/2)^2 / 12.
+constexpr double kStepInChange = 1.0 / 48;
 
 /// Squares of noise this many times above their mean are rarer than one in 300 (three deviations).
 constexpr double kSignificant = 9.0;
@@ -69,25 +76,36 @@ bool SmoothPixels::difference(std::size_t corner, std::size_t step, glm::vec3& o
 
 SmoothPixels::Correction SmoothPixels::correction(std::size_t corner) const {
     const std::size_t below = corner + lattice_.stride();
-    glm::vec3 across(0.0F);
-    glm::vec3 down(0.0F);
-    int acrossCount = 0;
-    int downCount = 0;
-    for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
-        const Bend& bend = bends_[i];
-        if (bend.hasAcross) {
-            across += bend.across;
-            ++acrossCount;
+    Correction found;
+    const auto addAxis = [&](glm::vec3 Bend::*value, bool Bend::*has, std::size_t a, std::size_t b,
+                             std::size_t c, std::size_t d) {
+        glm::vec3 sum(0.0F);
+        int count = 0;
+        // Two lines of the axis, from one corner to the next.
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(c, d)}) {
+            const Bend& first = bends_[from];
+            const Bend& second = bends_[to];
+            if (!(first.*has) && !(second.*has)) continue;
+            // Where only one is known, the other may be its opposite half of a step.
+            const glm::vec3 change = (first.*has) && (second.*has) ? second.*value - first.*value
+                                     : (first.*has)                ? first.*value
+                                                                   : second.*value;
+            found.squaredChange =
+                std::max(found.squaredChange, static_cast<double>(glm::dot(change, change)) / 3.0);
+            for (const Bend* bend : {&first, &second}) {
+                if (!(bend->*has)) continue;
+                sum += bend->*value;
+                ++count;
+            }
         }
-        if (bend.hasDown) {
-            down += bend.down;
-            ++downCount;
-        }
-    }
-    if (acrossCount == 0 || downCount == 0) return {};
-    return {
-        (across / static_cast<float>(acrossCount) + down / static_cast<float>(downCount)) / 12.0F,
-        true};
+        if (count > 0) found.value += sum / (12.0F * static_cast<float>(count));
+        return count > 0;
+    };
+    const bool across =
+        addAxis(&Bend::across, &Bend::hasAcross, corner, corner + 1, below, below + 1);
+    const bool down = addAxis(&Bend::down, &Bend::hasDown, corner, below, corner + 1, below + 1);
+    found.known = across && down;
+    return found;
 }
 
 bool SmoothPixels::isUncertain(std::size_t corner) const {
@@ -117,15 +135,16 @@ SmoothPixel SmoothPixels::at(std::size_t corner, double noise) const {
     for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
         pixel.value += 0.25F * lattice_.probes[i].mean();
     }
-    const glm::vec3 off = correction(corner).value;
-    const double squared = glm::dot(off, off) / 3.0F;
+    const Correction off = correction(corner);
+    const double squared = static_cast<double>(glm::dot(off.value, off.value)) / 3.0;
     if (isUncertain(corner)) {
-        const double feigned = kNoiseOfDifferences * noise;
-        pixel.squaredBias = std::max(squared - feigned, 0.0);
-        pixel.isBiased = squared > kSignificant * feigned;
+        pixel.isBiased = squared > kSignificant * kNoiseOfDifferences * noise ||
+                         off.squaredChange > kSignificant * kNoiseOfChange * noise;
+        if (pixel.isBiased) pixel.squaredBias = squared + kStepInChange * off.squaredChange;
     } else {
-        pixel.value -= off;
-        pixel.squaredBias = kLeftByCorrection * kLeftByCorrection * squared;
+        pixel.value -= off.value;
+        pixel.squaredBias =
+            kLeftByCorrection * kLeftByCorrection * squared + kStepInChange * off.squaredChange;
         pixel.isBiased = true;
     }
     return pixel;

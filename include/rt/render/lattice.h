@@ -43,6 +43,10 @@ struct SmoothPixel {
 /// mean f - (mean f_xx + mean f_yy) / 12: the trapezoid rule with its first correction (Davis and
 /// Rabinowitz, Methods of Numerical Integration, 1984, section 2.9). Of lights that had to be
 /// sampled the differences are noise, and count as bias instead of being taken off.
+///
+/// A step between the corners hides from that mean: its second differences on both sides are +1 and
+/// -1 of it. Where they change by T from one corner to the next, T / 2 may be a step, whose place
+/// within the pixel is unknown: T^2 / 48 is its squared error, that of a uniform number in [0, T/2].
 class SmoothPixels {
   public:
     explicit SmoothPixels(const Lattice& lattice);
@@ -70,6 +74,7 @@ class SmoothPixels {
     };
     struct Correction {
         glm::vec3 value{0.0F};
+        double squaredChange = 0.0;
         bool known = false;
     };
 
