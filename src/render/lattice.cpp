@@ -45,6 +45,11 @@ bool isOneSurface(const Probe& a, const Probe& b) {
     return rise <= kSmoothRise * glm::length(step) + kRounding * glm::length(a.position);
 }
 
+glm::vec3 meanOfKnown(const glm::vec3& a, bool hasA, const glm::vec3& b, bool hasB) {
+    if (hasA && hasB) return 0.5F * (a + b);
+    return hasA ? a : (hasB ? b : glm::vec3(0.0F));
+}
+
 }  // namespace
 
 SmoothPixels::SmoothPixels(const Lattice& lattice)
@@ -106,6 +111,18 @@ SmoothPixels::Correction SmoothPixels::correction(std::size_t corner) const {
     const bool down = addAxis(&Bend::down, &Bend::hasDown, corner, below, corner + 1, below + 1);
     found.known = across && down;
     return found;
+}
+
+glm::vec3 SmoothPixels::across(std::size_t corner) const {
+    const Bend& a = bends_[corner];
+    const Bend& b = bends_[corner + 1];
+    return meanOfKnown(a.across, a.hasAcross, b.across, b.hasAcross);
+}
+
+glm::vec3 SmoothPixels::down(std::size_t corner) const {
+    const Bend& a = bends_[corner];
+    const Bend& b = bends_[corner + lattice_.stride()];
+    return meanOfKnown(a.down, a.hasDown, b.down, b.hasDown);
 }
 
 bool SmoothPixels::isUncertain(std::size_t corner) const {

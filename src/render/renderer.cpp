@@ -3,6 +3,7 @@
 #include "rt/core/cpu_time.h"
 #include "rt/core/parallel.h"
 #include "rt/render/adaptive.h"
+#include "rt/render/coarse_lattice.h"
 #include "rt/render/fine_pixels.h"
 #include "rt/render/lattice.h"
 
@@ -59,7 +60,7 @@ class Run {
     void probe(const std::vector<std::uint32_t>& ends, Lattice& lattice, double from, double to) {
         tilesDone_ = 0;
         const std::vector<Tile> tiles = tilesOf(lattice.corners);
-        probeCounts_.resize(tiles.size());
+        probeCounts_.resize(std::max(probeCounts_.size(), tiles.size()));
         forEachIndex(tiles.size(), job_.threads, [&](std::size_t index, int) {
             if (stopped()) return;
             probeTile(tiles[index], ends, lattice, probeCounts_[index]);
@@ -103,7 +104,8 @@ class Run {
             }
         }
         if (!any) return;
-        job_.kernel->probeTile(scene_, settings_, tile, tileEnds.data(), probes.data(), counts);
+        job_.kernel->probeTile(scene_, settings_, tile, lattice.spacing, tileEnds.data(),
+                               probes.data(), counts);
         const Probe* done = probes.data();
         for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
             std::copy(done, done + tile.width(), &lattice.probes[lattice.offset(tile.x0, y)]);
@@ -182,15 +184,20 @@ constexpr std::uint32_t kFirstLightSamples = 2;
 /// A smooth pixel's bias, as a share of the error target, above which it is sampled from the start.
 constexpr double kBiasLimit = 4.0;
 
+/// The same of a cell of the coarse lattice, above which the corners within it are looked through.
+constexpr double kCoarseBias = 0.25;
+
 /// Towards an error target: probes at the corners of pixels, samples where those do not do, and
 /// passes that double where that helps most, until the estimate meets the target.
 class TowardsTarget {
   public:
     TowardsTarget(const RenderScene& scene, Run& run, const RenderJob& job, Film& film)
         : run_(run), job_(job), film_(film) {
-        if (mayShareCorners(scene, job)) lattice_.emplace(job.area);
-        adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr,
-                          lattice_ ? finePixels(scene, job.area) : std::vector<bool>{});
+        if (mayShareCorners(scene, job)) {
+            lattice_.emplace(job.area);
+            fine_ = finePixels(scene, job.area);
+        }
+        adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr, fine_);
     }
 
     bool render() {
@@ -200,8 +207,7 @@ class TowardsTarget {
         double share = 0.0;
         if (lattice_) {
             share = 0.2;
-            run_.probe(std::vector<std::uint32_t>(lattice_->probes.size(), kFirstLightSamples),
-                       *lattice_, 0.0, share);
+            probeAll(share);
             const double bias = kBiasLimit * job_.errorTarget;
             if (!run_.stopped()) adaptive_->classify(bias * bias);
         }
@@ -226,6 +232,17 @@ class TowardsTarget {
     double squaredError() const { return adaptive_->squaredError(); }
 
   private:
+    /// Every other corner, and those between which these leave open.
+    void probeAll(double share) {
+        CoarseLattice coarse(job_.area);
+        run_.probe(std::vector<std::uint32_t>(coarse.lattice().probes.size(), kFirstLightSamples),
+                   coarse.lattice(), 0.0, 0.5 * share);
+        if (run_.stopped()) return;
+        const double bias = kCoarseBias * job_.errorTarget;
+        run_.probe(coarse.refine(*lattice_, fine_, bias * bias, kFirstLightSamples), *lattice_,
+                   0.5 * share, share);
+    }
+
     void advance(const AdaptivePass& pass, double& share) {
         const double next = 0.5 * (1.0 + share);
         if (lattice_ && !pass.corners.empty()) run_.probe(pass.corners, *lattice_, share, share);
@@ -237,6 +254,7 @@ class TowardsTarget {
     const RenderJob& job_;
     Film& film_;
     std::optional<Lattice> lattice_;
+    std::vector<bool> fine_;
     std::optional<Adaptive> adaptive_;
 };
 

@@ -25,8 +25,8 @@ void renderTile(const RenderScene& scene, const TraceSettings& settings, const T
 }
 
 void probeTile(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
-               const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
-    tileProberFor(scene.features)(scene, settings, corners, ends, probes, counts);
+               int spacing, const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
+    tileProberFor(scene.features)(scene, settings, corners, spacing, ends, probes, counts);
 }
 
 /// Member functions of MeshTree as plain ones.

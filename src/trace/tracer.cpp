@@ -367,12 +367,13 @@ void renderTileWith(const RenderScene& scene, const TraceSettings& settings, con
 
 template <unsigned Features>
 void probeTileWith(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
-                   const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
+                   int spacing, const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
     Tracer<Features> tracer(scene, settings, counts);
     for (int y = corners.y0; y < corners.y1; ++y) {
         if (settings.cancel && settings.cancel->load(std::memory_order_relaxed)) return;
         for (int x = corners.x0; x < corners.x1; ++x, ++probes, ++ends) {
-            if (*ends > probes->samples) tracer.probe(x, y, *ends, *probes);
+            if (*ends > probes->samples)
+                tracer.probe(x * spacing, y * spacing, spacing, *ends, *probes);
         }
     }
 }

@@ -25,7 +25,8 @@ class Tracer {
     Color sample(int x, int y, int index);
 
     /// Looks through corner (x, y) once and samples the lights there until they have `end` samples.
-    void probe(int x, int y, std::uint32_t end, Probe& probe);
+    /// The next corners are `spacing` pixels away.
+    void probe(int x, int y, int spacing, std::uint32_t end, Probe& probe);
 
   private:
     static constexpr bool kImages = (Features & kFeatureImages) != 0;
@@ -65,6 +66,7 @@ class Tracer {
         Color first{0.0};
         Color second{0.0};
         unsigned lightsSeen = 0;
+        double spacing;
         Probe* evidence;
 
         void addToAll(const Color& c) {

@@ -10,7 +10,7 @@
 namespace rt {
 
 template <unsigned Features>
-void Tracer<Features>::probe(int x, int y, std::uint32_t end, Probe& probe) {
+void Tracer<Features>::probe(int x, int y, int spacing, std::uint32_t end, Probe& probe) {
     // The corners' points on the lights are not those of the pixels' samples.
     constexpr int kOtherPixels = 1 << 30;
     sampler_.start(x - kOtherPixels, y, 0);
@@ -21,9 +21,14 @@ void Tracer<Features>::probe(int x, int y, std::uint32_t end, Probe& probe) {
     ++counts_.rays.camera;
 
     const std::uint32_t begin = probe.samples;
-    ProbeSum sum{.begin = begin, .middle = end / 2, .end = end, .evidence = &probe};
+    ProbeSum sum{.begin = begin,
+                 .middle = end / 2,
+                 .end = end,
+                 .spacing = static_cast<double>(spacing),
+                 .evidence = &probe};
     probe.surfaces = 0;
-    probe.marks = 0;
+    // What was uncertain stays so, though a look from nearer might prove it: its samples count.
+    probe.marks &= kProbeUncertain;
     probe.lit = 0;
     probe.dark = 0;
     gather(std::move(path), sum);
@@ -103,7 +108,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         sum.evidence->dark |= bit;
         return;
     }
-    const double margin = footprint(path, point);
+    const double margin = sum.spacing * footprint(path, point);
     const bool behind =
         horizon == LightHorizon::kAbove && !point.fromInside &&
         liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);

@@ -8,7 +8,7 @@ namespace rt {
 using TileRenderer = void (*)(const RenderScene&, const TraceSettings&, const Tile&,
                               const std::uint32_t* ends, PixelState*, TraceCounts&);
 
-using TileProber = void (*)(const RenderScene&, const TraceSettings&, const Tile&,
+using TileProber = void (*)(const RenderScene&, const TraceSettings&, const Tile&, int spacing,
                             const std::uint32_t* ends, Probe*, TraceCounts&);
 
 /// The leanest variant that renders scenes with these features.

@@ -28,6 +28,7 @@ struct Lattice {
 
     Tile corners;
     std::vector<Probe> probes;
+    int spacing = 1;  ///< pixels from one corner to the next
 };
 
 /// A pixel's mean by its corners.
@@ -46,7 +47,8 @@ struct SmoothPixel {
 ///
 /// A step between the corners hides from that mean: its second differences on both sides are +1 and
 /// -1 of it. Where they change by T from one corner to the next, T / 2 may be a step, whose place
-/// within the pixel is unknown: T^2 / 48 is its squared error, that of a uniform number in [0, T/2].
+/// within the pixel is unknown: T^2 / 48 is its squared error, that of a uniform number in [0,
+/// T/2].
 class SmoothPixels {
   public:
     explicit SmoothPixels(const Lattice& lattice);
@@ -62,6 +64,11 @@ class SmoothPixels {
     bool isSmooth(std::size_t corner) const;
     /// Of a smooth pixel; `noise` is the variance of a corner's colour.
     SmoothPixel at(std::size_t corner, double noise) const;
+    /// The correction (f_xx + f_yy) / 12 of a pixel, and the second differences along the line from
+    /// its corner to the right, and down, in the mean of what is known.
+    glm::vec3 correctionAt(std::size_t corner) const { return correction(corner).value; }
+    glm::vec3 across(std::size_t corner) const;
+    glm::vec3 down(std::size_t corner) const;
     /// Whether a light had to be sampled at any of its corners.
     bool isUncertain(std::size_t corner) const;
 

@@ -92,11 +92,11 @@ struct TraceKernel {
     void (*renderTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
                        const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts);
 
-    /// Adds to each probe the samples of lights that it lacks of its number in `ends`. `corners`
-    /// holds corners of pixels: corner (x, y) is the upper left one of pixel (x, y). The scene has
-    /// no lens. A probe without samples takes an even number first, and twice as many each time.
+    /// Adds to each probe the samples of lights that it lacks of its number in `ends`, an even
+    /// one. Corner (x, y) of `corners` is the upper left one of pixel (spacing x, spacing y). The
+    /// scene has no lens.
     void (*probeTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
-                      const std::uint32_t* ends, Probe* probes, TraceCounts& counts);
+                      int spacing, const std::uint32_t* ends, Probe* probes, TraceCounts& counts);
 
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.
