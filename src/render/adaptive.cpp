@@ -99,7 +99,9 @@ void Adaptive::classify(double squaredBiasLimit) {
         if ((!fine_.empty() && fine_[pixel]) || !smoothPixels_->isSmooth(corner)) continue;
         updateSmooth(pixel);
         if (isBiased_[pixel] && bias_[pixel] > squaredBiasLimit) continue;
-        kind_[pixel] = smoothPixels_->isUncertain(corner) ? Kind::kUncertain : Kind::kSmooth;
+        const bool uncertain = smoothPixels_->isUncertain(corner);
+        kind_[pixel] = uncertain ? Kind::kUncertain : Kind::kSmooth;
+        if (!uncertain) settle(pixel);
     }
     listPlaces();
 }
@@ -129,9 +131,13 @@ void Adaptive::updateCorners() {
             const std::size_t j = lattice_->offset(u, v);
             const Probe& other = lattice_->probes[j];
             if (!other.has(kProbeUncertain)) return;
+            count += 1.0;
+            if (other.samples == probe.samples) {
+                sum += ownError_[j];
+                return;
+            }
             const double ratio = static_cast<double>(other.samples) / probe.samples;
             sum += ownError_[j] * ratio * std::sqrt(ratio);
-            count += 1.0;
         });
         variance_[i] = sum / count;
     }
@@ -166,7 +172,7 @@ void Adaptive::updateSampled() {
         const int y = film_.area.y0 + static_cast<int>(i / width_);
         forNeighbourhood(film_.area, x, y, [&](int u, int v) {
             const std::size_t j = film_.offset(u, v);
-            if (isSmooth(j) || film_.pixels[j].samples == 0) return;
+            if (isSmooth(j)) return;
             sum += ownError_[j] * static_cast<double>(film_.pixels[j].samples) / samples;
             count += 1.0;
         });
@@ -288,6 +294,7 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
         const std::uint32_t before = end;
         if (item.kind == Work::Kind::kSmooth) {
             kind_[item.place] = Kind::kSampled;
+            film_.pixels[item.place] = {};
             sampledMore = true;
             end = goal.firstSamples;
         } else {
@@ -316,14 +323,14 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
     return pass;
 }
 
+void Adaptive::settle(std::size_t pixel) {
+    const std::size_t corner = cornerOf(pixel);
+    const SmoothPixel found = smoothPixels_->at(corner, noiseAround(corner));
+    film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
+}
+
 void Adaptive::settle() {
-    if (!lattice_) return;
-    for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
-        if (!isSmooth(pixel)) continue;
-        const std::size_t corner = cornerOf(pixel);
-        const SmoothPixel found = smoothPixels_->at(corner, noiseAround(corner));
-        film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
-    }
+    for (const std::size_t pixel : uncertainPixels_) settle(pixel);
 }
 
 }  // namespace rt

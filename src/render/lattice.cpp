@@ -45,11 +45,6 @@ bool isOneSurface(const Probe& a, const Probe& b) {
     return rise <= kSmoothRise * glm::length(step) + kRounding * glm::length(a.position);
 }
 
-glm::vec3 meanOfKnown(const glm::vec3& a, bool hasA, const glm::vec3& b, bool hasB) {
-    if (hasA && hasB) return 0.5F * (a + b);
-    return hasA ? a : (hasB ? b : glm::vec3(0.0F));
-}
-
 }  // namespace
 
 SmoothPixels::SmoothPixels(const Lattice& lattice)
@@ -63,66 +58,73 @@ void SmoothPixels::measure(std::size_t corner) {
     const std::size_t stride = lattice_.stride();
     const std::size_t column = corner % stride;
     Bend& bend = bends_[corner];
-    bend.hasAcross = column > 0 && column + 1 < stride && difference(corner, 1, bend.across);
-    bend.hasDown = corner >= stride && corner + stride < bends_.size() &&
-                   difference(corner, stride, bend.down);
+    bend = {};
+    if (column > 0 && column + 1 < stride) bend.across = difference(corner, 1);
+    if (corner >= stride && corner + stride < bends_.size()) {
+        bend.down = difference(corner, stride);
+    }
 }
 
-bool SmoothPixels::difference(std::size_t corner, std::size_t step, glm::vec3& out) const {
+SmoothPixels::Difference SmoothPixels::difference(std::size_t corner, std::size_t step) const {
     const Probe& before = lattice_.probes[corner - step];
     const Probe& here = lattice_.probes[corner];
     const Probe& after = lattice_.probes[corner + step];
     if (!continues(before, here) || !continues(here, after) || !continues(before, after)) {
-        return false;
+        return {};
     }
-    out = before.mean() - 2.0F * here.mean() + after.mean();
-    return true;
+    return {before.mean() - 2.0F * here.mean() + after.mean(), true};
+}
+
+void SmoothPixels::Correction::addLine(const Difference& first, const Difference& second,
+                                       glm::vec3& sum, int& count) {
+    glm::vec3 change(0.0F);
+    if (first.known && second.known) {
+        change = second.value - first.value;
+        sum += first.value + second.value;
+        count += 2;
+    } else if (first.known || second.known) {
+        // The one that is not known may be the opposite half of a step.
+        change = first.known ? first.value : second.value;
+        sum += change;
+        ++count;
+    }
+    squaredChange = std::max(squaredChange, glm::dot(change, change));
 }
 
 SmoothPixels::Correction SmoothPixels::correction(std::size_t corner) const {
     const std::size_t below = corner + lattice_.stride();
+    const Bend& a = bends_[corner];
+    const Bend& b = bends_[corner + 1];
+    const Bend& c = bends_[below];
+    const Bend& d = bends_[below + 1];
     Correction found;
-    const auto addAxis = [&](glm::vec3 Bend::*value, bool Bend::*has, std::size_t a, std::size_t b,
-                             std::size_t c, std::size_t d) {
-        glm::vec3 sum(0.0F);
-        int count = 0;
-        // Two lines of the axis, from one corner to the next.
-        for (const auto& [from, to] : {std::pair(a, b), std::pair(c, d)}) {
-            const Bend& first = bends_[from];
-            const Bend& second = bends_[to];
-            if (!(first.*has) && !(second.*has)) continue;
-            // Where only one is known, the other may be its opposite half of a step.
-            const glm::vec3 change = (first.*has) && (second.*has) ? second.*value - first.*value
-                                     : (first.*has)                ? first.*value
-                                                                   : second.*value;
-            found.squaredChange =
-                std::max(found.squaredChange, static_cast<double>(glm::dot(change, change)) / 3.0);
-            for (const Bend* bend : {&first, &second}) {
-                if (!(bend->*has)) continue;
-                sum += bend->*value;
-                ++count;
-            }
-        }
-        if (count > 0) found.value += sum / (12.0F * static_cast<float>(count));
-        return count > 0;
-    };
-    const bool across =
-        addAxis(&Bend::across, &Bend::hasAcross, corner, corner + 1, below, below + 1);
-    const bool down = addAxis(&Bend::down, &Bend::hasDown, corner, below, corner + 1, below + 1);
-    found.known = across && down;
+    glm::vec3 across(0.0F);
+    glm::vec3 down(0.0F);
+    int acrossCount = 0;
+    int downCount = 0;
+    found.addLine(a.across, b.across, across, acrossCount);
+    found.addLine(c.across, d.across, across, acrossCount);
+    found.addLine(a.down, c.down, down, downCount);
+    found.addLine(b.down, d.down, down, downCount);
+    found.known = acrossCount > 0 && downCount > 0;
+    if (found.known) {
+        found.value = across * (1.0F / (12.0F * static_cast<float>(acrossCount))) +
+                      down * (1.0F / (12.0F * static_cast<float>(downCount)));
+    }
     return found;
 }
 
+glm::vec3 SmoothPixels::meanOfKnown(const Difference& a, const Difference& b) {
+    if (a.known && b.known) return 0.5F * (a.value + b.value);
+    return a.known ? a.value : b.value;
+}
+
 glm::vec3 SmoothPixels::across(std::size_t corner) const {
-    const Bend& a = bends_[corner];
-    const Bend& b = bends_[corner + 1];
-    return meanOfKnown(a.across, a.hasAcross, b.across, b.hasAcross);
+    return meanOfKnown(bends_[corner].across, bends_[corner + 1].across);
 }
 
 glm::vec3 SmoothPixels::down(std::size_t corner) const {
-    const Bend& a = bends_[corner];
-    const Bend& b = bends_[corner + lattice_.stride()];
-    return meanOfKnown(a.down, a.hasDown, b.down, b.hasDown);
+    return meanOfKnown(bends_[corner].down, bends_[corner + lattice_.stride()].down);
 }
 
 bool SmoothPixels::isUncertain(std::size_t corner) const {
@@ -153,15 +155,16 @@ SmoothPixel SmoothPixels::at(std::size_t corner, double noise) const {
         pixel.value += 0.25F * lattice_.probes[i].mean();
     }
     const Correction off = correction(corner);
+    const double squaredChange = static_cast<double>(off.squaredChange) / 3.0;
     const double squared = static_cast<double>(glm::dot(off.value, off.value)) / 3.0;
     if (isUncertain(corner)) {
         pixel.isBiased = squared > kSignificant * kNoiseOfDifferences * noise ||
-                         off.squaredChange > kSignificant * kNoiseOfChange * noise;
-        if (pixel.isBiased) pixel.squaredBias = squared + kStepInChange * off.squaredChange;
+                         squaredChange > kSignificant * kNoiseOfChange * noise;
+        if (pixel.isBiased) pixel.squaredBias = squared + kStepInChange * squaredChange;
     } else {
         pixel.value -= off.value;
         pixel.squaredBias =
-            kLeftByCorrection * kLeftByCorrection * squared + kStepInChange * off.squaredChange;
+            kLeftByCorrection * kLeftByCorrection * squared + kStepInChange * squaredChange;
         pixel.isBiased = true;
     }
     return pixel;

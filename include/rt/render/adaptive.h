@@ -62,7 +62,7 @@ class Adaptive {
     /// Twice as many in every pixel.
     AdaptivePass doubled(std::uint32_t most) const;
 
-    /// Gives the smooth pixels of the film their values.
+    /// Gives those smooth pixels their values that more samples of the lights could have changed.
     void settle();
 
   private:
@@ -73,6 +73,7 @@ class Adaptive {
     void listPlaces();
     void updateCorners();
     void updateSmooth(std::size_t pixel);
+    void settle(std::size_t pixel);
     void updateSampled();
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;

@@ -73,19 +73,25 @@ class SmoothPixels {
     bool isUncertain(std::size_t corner) const;
 
   private:
+    struct Difference {
+        glm::vec3 value{0.0F};  ///< 0 where it is not known
+        bool known = false;
+    };
     struct Bend {
-        glm::vec3 across{0.0F};
-        glm::vec3 down{0.0F};
-        bool hasAcross = false;
-        bool hasDown = false;
+        Difference across;
+        Difference down;
     };
     struct Correction {
         glm::vec3 value{0.0F};
-        double squaredChange = 0.0;
+        float squaredChange = 0.0F;  ///< sum over the channels
         bool known = false;
+
+        /// One line of two corners.
+        void addLine(const Difference& first, const Difference& second, glm::vec3& sum, int& count);
     };
 
-    bool difference(std::size_t corner, std::size_t step, glm::vec3& out) const;
+    static glm::vec3 meanOfKnown(const Difference& a, const Difference& b);
+    Difference difference(std::size_t corner, std::size_t step) const;
     Correction correction(std::size_t corner) const;
 
     const Lattice& lattice_;

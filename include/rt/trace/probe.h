@@ -33,7 +33,7 @@ struct Probe {
     glm::vec3 position{0.0F};  ///< of the camera ray's hit, relative to the eye
     glm::vec3 normal{0.0F};    ///< geometric, there
 
-    glm::vec3 mean() const { return samples ? sum / static_cast<float>(samples) : sum; }
+    glm::vec3 mean() const { return samples ? sum * (1.0F / static_cast<float>(samples)) : sum; }
     bool has(ProbeMark mark) const { return (marks & mark) != 0; }
 };
 
