@@ -98,7 +98,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=10)
     parser.add_argument("--size", default="160x90")
     parser.add_argument("--options", default="", help="more options for the program, in one string")
-    parser.add_argument("--json", help="where the runs go; CACHE/honesty.json")
+    parser.add_argument("--json", help="where the runs are kept, scene by scene; CACHE/honesty.json")
     parser.add_argument("--write", action="store_true", help="update Documentation/performance.md")
     arguments = parser.parse_args()
     arguments.targets = [float(t) for t in arguments.targets.split(",")]
@@ -108,6 +108,8 @@ def main():
     names = [n for part in arguments.scenes.split(",") for n in groups.get(part, [part])]
     arguments.project = os.path.abspath(arguments.project)
 
+    kept = arguments.json or os.path.join(arguments.cache, "honesty.json")
+    others = [r for r in runs.read_json(kept, []) if r["scene"] not in names]
     rows = []
     print(HEAD, flush=True)
     for name in names:
@@ -115,13 +117,13 @@ def main():
         rows += mine
         for target in arguments.targets:
             print(line(name, "%g" % target, [r for r in mine if r["target"] == target]), flush=True)
-        runs.write_json(arguments.json or os.path.join(arguments.cache, "honesty.json"), rows)
+        runs.write_json(kept, others + rows)
     for which in LIMITS:
         if any(r["kind"] == which for r in rows):
             print(line(which, "all", [r for r in rows if r["kind"] == which]))
     missed = judge(rows)
     if arguments.write:
-        put(os.path.join(runs.TOP, "Documentation", "performance.md"), "honesty", markdown(rows))
+        put(os.path.join(runs.TOP, "Documentation", "performance.md"), "honesty", markdown(others + rows))
     print("\n".join(missed) if missed else "every bar is met")
     return 1 if missed else 0
 

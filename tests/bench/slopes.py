@@ -87,7 +87,8 @@ def main():
     if arguments.write:
         images = os.path.join(runs.TOP, "Documentation", "images")
         plot(results, os.path.join(images, "convergence.png"))
-        put(os.path.join(runs.TOP, "Documentation", "sampling.md"), "slopes", table(results))
+        picture = "\n\n![RMSE against samples a pixel, by effect and sampler](images/convergence.png)"
+        put(os.path.join(runs.TOP, "Documentation", "sampling.md"), "slopes", table(results) + picture)
     return 0
 
 
