@@ -2,11 +2,11 @@
 """error_time.py: RMSE against CPU seconds, of this program, of its baselines, and of POV-Ray where it is installed.
 
 Renders the benchmark scenes at several --error targets, with --sampler jitter, grid and random at several --spp, and
-their POV-Ray twins at many settings, of which those near the front of (error, seconds) are measured several times.
-Each renderer is held against its own converged picture; the error of that is measured and taken off, in squares. RMSE is
-over all channels of linear values clipped to [0, 1]; seconds are user + system time of the whole process (`tracing`:
-without start, reading, parsing and building). Runs are interleaved; the median counts; runs over --once seconds are made
-once. POV-Ray's results are kept in CACHE/povray.json until --povray again.
+their POV-Ray twins at many settings, of which those near the front of (error, seconds) are measured several
+times. Each renderer is held against its own converged picture; the error of that is measured and taken off, in
+squares. RMSE is over all channels of linear values clipped to [0, 1]; seconds are user + system time of the whole
+process (`tracing`: without start, reading, parsing and building). Runs are interleaved; the median counts; runs over
+--once seconds are made once. POV-Ray's results are kept in CACHE/povray.json until --povray again.
 
 --write puts tables between the markers of Documentation/performance.md, and plots into Documentation/images/.
 Needs python3-numpy; python3-matplotlib for the plots; povray for the comparison.
@@ -121,7 +121,8 @@ def measure(arguments, name):
             if turn == 0 or series.cpu[0] <= arguments.once:
                 work.append(lambda s=series, o=options: here.measure(s, o))
         if peer and peer.rows is None:
-            other = [lambda l=label, o=options: peer.measure(l, o) for label, options in peer.candidates(turn == 0).items()]
+            other = [lambda l=label, o=options: peer.measure(l, o)
+                     for label, options in peer.candidates(turn == 0).items()]
             work = interleave(work, other)
         for do in work:
             do()

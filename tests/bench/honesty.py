@@ -59,8 +59,8 @@ scene         target runs   <=1.0    max   mean later *    mean    max   a pixel
 
 def markdown(rows):
     """a line for each scene and target"""
-    lines = ["| scene | target | runs | <= 1.0 | actual/target: max | mean | mean beyond the first pass | actual/estimate: "
-             "mean | max | samples a pixel |", "| --- |" + " --: |" * 9]
+    lines = ["| scene | target | runs | <= 1.0 | actual/target: max | mean | mean beyond the first pass "
+             "| actual/estimate: mean | max | samples a pixel |", "| --- |" + " --: |" * 9]
     for name in dict.fromkeys(r["scene"] for r in rows):
         for target in sorted({r["target"] for r in rows}, reverse=True):
             mine = [r for r in rows if r["scene"] == name and r["target"] == target]

@@ -11,14 +11,15 @@ from pictures.report import put
 
 # The first that matches a symbol takes it.
 WORK = [("start, system", r"^\[k\]|ld-linux|_dl_|do_lookup|__mem|malloc|_int_free|cfree|clear_page"),
-        ("reading, building", r"lua|[Oo]bj[A-Z:(]|parse|compile|Compil|[Bb]uild|strto|from_chars|weld|MeshTopology|Normals|[Ss]plit|divideRun"),
+        ("reading, building", r"lua|[Oo]bj[A-Z:(]|parse|compile|Compil|[Bb]uild|strto|from_chars|weld|MeshTopology"
+                              r"|Normals|[Ss]plit|divideRun"),
         ("picking samples", r"Sampler|[Ss]obol|PixelFilter|concentricDisc|hash|[Ss]cramble"),
-        ("error, passes", r"squaredErrors|nextSamples|[Aa]daptive|[Cc]lassif|[Tt]ile|Film|Batch|Run::|flag|Flag|edge"),
-        ("intersection", r"traverse|[Ii]ntersect|[Cc]losestHit|BoxRay|nearestOn|inObjectSpace|toObject|meet|torus::|MeshTree"
-                         r"|WideTree|anyHit|[Oo]ccluded|nextHit|beyondHit"),
+        ("error, passes", r"squaredErrors|nextSamples|[Aa]daptive|[Cc]lassif|[Tt]ile|Film|Batch|Run::|[Ff]lag|edge"),
+        ("intersection", r"traverse|[Ii]ntersect|[Cc]losestHit|BoxRay|nearestOn|inObjectSpace|toObject|meet|torus::"
+                         r"|MeshTree|WideTree|anyHit|[Oo]ccluded|nextHit|beyondHit"),
         ("surface", r"::surface|surfaceAt|triangleSurface|ToWorld|viewOf|coincidence"),
-        ("light, shading", r"shade|phong|[Ll]ight|visib|coneDirection|powUnit|orthonormal|sincos|[Pp]enumbra|Background|[Tt]exture"
-                           r"|Bump|texel"),
+        ("light, shading", r"shade|phong|[Ll]ight|visib|coneDirection|powUnit|orthonormal|sincos|[Pp]enumbra"
+                           r"|Background|[Tt]exture|Bump|texel"),
         ("paths", r"Tracer|Medium|Camera|fresnel|refract|reflect|cutSmall")]
 
 
@@ -26,8 +27,8 @@ def shares(project, script, size, options):
     """{kind of work: share}, and the largest symbols that no kind takes"""
     with tempfile.TemporaryDirectory(prefix="bench-") as out:
         data = os.path.join(out, "perf.data")
-        subprocess.run(["perf", "record", "-q", "-F", "999", "-o", data, project, os.path.basename(script), "-q", "-j", "1",
-                        "--size", "%dx%d" % size, "-o", os.path.join(out, "p.pfm"), *options], check=True,
+        subprocess.run(["perf", "record", "-q", "-F", "999", "-o", data, project, os.path.basename(script), "-q",
+                        "-j", "1", "--size", "%dx%d" % size, "-o", os.path.join(out, "p.pfm"), *options], check=True,
                        cwd=os.path.dirname(script), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         said = subprocess.run(["perf", "report", "-i", data, "--stdio", "--no-children", "-F", "overhead,symbol"],
                               check=True, capture_output=True, text=True).stdout
@@ -58,17 +59,17 @@ def main():
         s = done.stats
         rays = s["rays"]
         total = sum(rays.values())
+        counts = " | ".join("%.2f" % (rays[k] / 1e6) for k in ("camera", "shadow", "reflection", "refraction"))
         work.append("| %s | %.1f | %s | %.0f | %.0f | %.3f | %.3f |" % (
-            name, s["spp_mean"], " | ".join("%.2f" % (rays[k] / 1e6) for k in ("camera", "shadow", "reflection", "refraction")),
-            1e9 * s["cpu_seconds"] / max(total, 1), 1e9 * s["cpu_seconds"] / (size[0] * size[1]), done.cpu - s["cpu_seconds"],
-            s["cpu_seconds"]))
+            name, s["spp_mean"], counts, 1e9 * s["cpu_seconds"] / max(total, 1),
+            1e9 * s["cpu_seconds"] / (size[0] * size[1]), done.cpu - s["cpu_seconds"], s["cpu_seconds"]))
         print(work[-1], flush=True)
         if perf:
             found, rest = shares(arguments.project, script, size, arguments.options.split())
             where.append("| %s | %s |" % (name, " | ".join("%.0f" % found.get(k, 0) for k in kinds)))
             print(where[-1], "   others: " + "; ".join(rest) if rest else "", flush=True)
-    tables = ["| scene | samples a pixel | rays, 10^6: camera | shadow | reflection | refraction | ns a ray | ns a pixel | "
-              "before rendering, s | rendering, s |", "| --- |" + " --: |" * 9, *work]
+    tables = ["| scene | samples a pixel | rays, 10^6: camera | shadow | reflection | refraction | ns a ray "
+              "| ns a pixel | before rendering, s | rendering, s |", "| --- |" + " --: |" * 9, *work]
     if perf:
         tables += ["", "| % of the time | " + " | ".join(kinds) + " |", "| --- |" + " --: |" * len(kinds), *where]
     if arguments.write:

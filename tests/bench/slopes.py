@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """slopes.py: how the RMSE falls with --spp, for each effect alone and for all together, with each --sampler.
 
-Pictures of 64x36 against converged ones, whose own error is measured and taken off in squares. The slope is the exponent
-of the number of samples by least squares over 16 to 1024. --write puts the table between the markers of
+Pictures of 64x36 against converged ones, whose own error is measured and taken off in squares. The slope is the
+exponent of the number of samples by least squares over 16 to 1024. --write puts the table between the markers of
 Documentation/sampling.md and the plot into Documentation/images/. Needs python3-numpy; python3-matplotlib for --write.
 """
 import argparse, os, sys

@@ -18,7 +18,11 @@ end
 """
 FLOOR = "root:add_child(gr.nh_box('floor', {-30, -1, -30}, {60, 1, 60}), grey)\n"
 CHECKER = "root:add_child(gr.mesh('plane', 'checks.obj'), grey, gr.texture('checker.png', {0, 0, 0}, 1))\n"
-GLASS = "local glass = gr.nh_sphere('glass', {%s}, %s); glass:set_refraction(1.5, 0); glass:set_fresnel(true)\nroot:add_child(glass, grey)\n"
+GLASS = """local glass = gr.nh_sphere('glass', {%s}, %s)
+glass:set_refraction(1.5, 0)
+glass:set_fresnel(true)
+root:add_child(glass, grey)
+"""
 
 
 def shot(body, light=AMBIENT, eye="{0, 2.2, 7}", view="{0, -0.3, -1}", fov=34, lens=""):
@@ -43,7 +47,8 @@ def lens(_):
 
 def light(_):
     """nothing but a penumbra on a plane; what casts it is out of sight"""
-    return shot(FLOOR + "for i = -3, 3 do root:add_child(gr.nh_box('bar', {i * 2.2, 2.5, -8}, {1.0, 0.1, 16}), grey) end\n",
+    return shot(FLOOR + "for i = -3, 3 do\n"
+                "  root:add_child(gr.nh_box('bar', {i * 2.2, 2.5, -8}, {1.0, 0.1, 16}), grey)\nend\n",
                 SOFT, eye="{0, 1.8, 2}", view="{0, -1, -1.2}", fov=30)
 
 
