@@ -2,11 +2,11 @@
 """error_time.py: RMSE against CPU seconds, of this program, of its baselines, and of POV-Ray where it is installed.
 
 Renders the benchmark scenes at several --error targets, with --sampler jitter, grid and random at several --spp, and
-their POV-Ray twins at many settings, of which those near the front of (error, seconds) are measured several times.
-Each renderer is held against its own converged picture; the error of that is measured and taken off, in squares. RMSE is
-over all channels of linear values clipped to [0, 1]; seconds are user + system time of the whole process (`tracing`:
-without start, reading, parsing and building). Runs are interleaved; the median counts; runs over --once seconds are made
-once. POV-Ray's results are kept in CACHE/povray.json until --povray again.
+their POV-Ray twins at many settings, of which those near the front of (error, seconds) are measured several
+times. Each renderer is held against its own converged picture; the error of that is measured and taken off, in
+squares. RMSE is over all channels of linear values clipped to [0, 1]; seconds are user + system time of the whole
+process (`tracing`: without start, reading, parsing and building). Runs are interleaved; the median counts; runs over
+--once seconds are made once. POV-Ray's results are kept in CACHE/povray.json until --povray again.
 
 --write puts tables between the markers of Documentation/performance.md, and plots into Documentation/images/.
 Needs python3-numpy; python3-matplotlib for the plots; povray for the comparison.
@@ -121,7 +121,8 @@ def measure(arguments, name):
             if turn == 0 or series.cpu[0] <= arguments.once:
                 work.append(lambda s=series, o=options: here.measure(s, o))
         if peer and peer.rows is None:
-            other = [lambda l=label, o=options: peer.measure(l, o) for label, options in peer.candidates(turn == 0).items()]
+            other = [lambda l=label, o=options: peer.measure(l, o)
+                     for label, options in peer.candidates(turn == 0).items()]
             work = interleave(work, other)
         for do in work:
             do()
@@ -141,7 +142,7 @@ def interleave(a, b):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     runs.add_arguments(parser)
-    parser.add_argument("--scenes", default=",".join(scenes.SCENES))
+    parser.add_argument("--scenes", default=",".join(scenes.SCENES), help="'' only reports what is kept")
     parser.add_argument("--targets", default="0.02,0.01,0.007,0.005,0.003,0.002,0.0015,0.001")
     parser.add_argument("--samplers", default="jitter,grid,random", help="baselines; '' for none")
     parser.add_argument("--spp", default="1,4,16,64,256", help="of the baselines")
@@ -151,7 +152,7 @@ def main():
     parser.add_argument("--reference", type=float, default=0.0004, help="largest error of the converged pictures here")
     parser.add_argument("--povray", choices=("kept", "again", "no"), default="kept")
     parser.add_argument("--options", default="", help="more options for the program, in one string")
-    parser.add_argument("--json", help="where the results go; CACHE/error_time.json")
+    parser.add_argument("--json", help="where results are kept, scene by scene; CACHE/error_time.json")
     parser.add_argument("--write", action="store_true", help="update Documentation/performance.md and its plots")
     arguments = parser.parse_args()
     arguments.project = os.path.abspath(arguments.project)
@@ -159,11 +160,13 @@ def main():
     arguments.spp = [int(n) for n in arguments.spp.split(",")]
     arguments.size = tuple(int(n) for n in arguments.size.split("x")) if arguments.size else None
     arguments.cache = os.path.abspath(arguments.cache)
-    report = Report(JUDGED)
-    for name in arguments.scenes.split(","):
-        report.add(measure(arguments, name))
-        runs.write_json(arguments.json or os.path.join(arguments.cache, "error_time.json"), report.results)
-        print(report.points(report.results[-1]), flush=True)
+    kept = arguments.json or os.path.join(arguments.cache, "error_time.json")
+    report = Report(JUDGED, runs.read_json(kept, []))
+    for name in filter(None, arguments.scenes.split(",")):
+        result = measure(arguments, name)
+        report.add(result)
+        runs.write_json(kept, report.results)
+        print(report.points(result), flush=True)
     print(report.summary())
     if arguments.write:
         report.write(runs.TOP)

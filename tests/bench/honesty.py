@@ -5,11 +5,12 @@ Every picture is held against a converged one of the same scene (pictures/truth.
 error is measured and is below a fifth of the target. The error is that of --error for files of floats.
 Bars: benchmark scenes (S1 to S7): actual/target <= 1.0 in 95 % of the runs, <= 1.15 in all, >= 0.6 on average in runs
 that needed more than the first pass. Hostile scenes: <= 1.5 in all. Exit code 1 where one is missed.
-Needs python3-numpy.
+--write puts the table between the markers of Documentation/performance.md. Needs python3-numpy.
 """
 import argparse, os, sys
 import numpy as np
 from pictures import hostile, runs, scenes, stage, truth
+from pictures.report import put
 
 BLOCKS = {"S5": (4, 2)}    # its mesh is read again for every block
 LIMITS = {"benchmark": 1.15, "hostile": 1.5}
@@ -56,6 +57,19 @@ scene         target runs   <=1.0    max   mean later *    mean    max   a pixel
 * mean of the runs that needed more than the first pass"""
 
 
+def markdown(rows):
+    """a line for each scene and target"""
+    lines = ["| scene | target | runs | <= 1.0 | actual/target: max | mean | mean beyond the first pass "
+             "| actual/estimate: mean | max | samples a pixel |", "| --- |" + " --: |" * 9]
+    for name in dict.fromkeys(r["scene"] for r in rows):
+        for target in sorted({r["target"] for r in rows}, reverse=True):
+            mine = [r for r in rows if r["scene"] == name and r["target"] == target]
+            if mine:
+                cells = line(name, "%g" % target, mine).split()
+                lines.append("| " + " | ".join(cells[:10]) + " |")
+    return "\n".join(lines)
+
+
 def judge(rows):
     """-> what misses its bar"""
     missed = []
@@ -84,7 +98,8 @@ def main():
     parser.add_argument("--seeds", type=int, default=10)
     parser.add_argument("--size", default="160x90")
     parser.add_argument("--options", default="", help="more options for the program, in one string")
-    parser.add_argument("--json", help="where the runs go; CACHE/honesty.json")
+    parser.add_argument("--json", help="where the runs are kept, scene by scene; CACHE/honesty.json")
+    parser.add_argument("--write", action="store_true", help="update Documentation/performance.md")
     arguments = parser.parse_args()
     arguments.targets = [float(t) for t in arguments.targets.split(",")]
     arguments.size = tuple(int(n) for n in arguments.size.split("x"))
@@ -93,6 +108,8 @@ def main():
     names = [n for part in arguments.scenes.split(",") for n in groups.get(part, [part])]
     arguments.project = os.path.abspath(arguments.project)
 
+    kept = arguments.json or os.path.join(arguments.cache, "honesty.json")
+    others = [r for r in runs.read_json(kept, []) if r["scene"] not in names]
     rows = []
     print(HEAD, flush=True)
     for name in names:
@@ -100,11 +117,13 @@ def main():
         rows += mine
         for target in arguments.targets:
             print(line(name, "%g" % target, [r for r in mine if r["target"] == target]), flush=True)
-        runs.write_json(arguments.json or os.path.join(arguments.cache, "honesty.json"), rows)
+        runs.write_json(kept, others + rows)
     for which in LIMITS:
         if any(r["kind"] == which for r in rows):
             print(line(which, "all", [r for r in rows if r["kind"] == which]))
     missed = judge(rows)
+    if arguments.write:
+        put(os.path.join(runs.TOP, "Documentation", "performance.md"), "honesty", markdown(others + rows))
     print("\n".join(missed) if missed else "every bar is met")
     return 1 if missed else 0
 

@@ -79,7 +79,8 @@ def write_blob(folder, size):
     with open(os.path.join(folder, "mesh_%s.obj" % size), "w") as out:
         out.write(rows("v %.6f %.6f %.6f", v, "\n") + "\n" + rows("f %d %d %d", f + 1, "\n") + "\n")
     with open(os.path.join(folder, "mesh_%s.inc" % size), "w") as out:
-        out.write("#declare TheMesh = mesh2 {\nvertex_vectors { %d,\n%s\n}\n" % (len(v), rows("<%.6f,%.6f,%.6f>", v, ",\n")))
+        out.write("#declare TheMesh = mesh2 {\n")
+        out.write("vertex_vectors { %d,\n%s\n}\n" % (len(v), rows("<%.6f,%.6f,%.6f>", v, ",\n")))
         out.write("normal_vectors { %d,\n%s\n}\n" % (len(n), rows("<%.5f,%.5f,%.5f>", n, ",\n")))
         out.write("face_indices { %d,\n%s\n}\n}\n" % (len(f), rows("<%d,%d,%d>", f, ",\n")))
 

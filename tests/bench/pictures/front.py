@@ -26,7 +26,7 @@ def cost_at(points, error, extrapolate=False):
     if error >= front[-1][0]:
         return front[-1][1], "<"
     for a, b in zip(front, front[1:]):
-        if a[0] <= error:
+        if a[0] <= error <= b[0]:
             return between(a, b, error), ""
     if extrapolate and len(front) > 1:
         return between(front[0], front[1], error), "*"

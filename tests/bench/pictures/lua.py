@@ -29,7 +29,8 @@ def shape(n, o, name):
     if kind == "sphere":
         return ["local %s = gr.nh_sphere('%s', %s, %.9g)" % (n, n, vec(o["center"]), o["radius"])]
     if kind == "box":
-        made = ["local %s = gr.nh_box('%s', %s, %s)" % (n, n, vec(o["min"]), vec([b - a for a, b in zip(o["min"], o["max"])]))]
+        sides = vec([b - a for a, b in zip(o["min"], o["max"])])
+        made = ["local %s = gr.nh_box('%s', %s, %s)" % (n, n, vec(o["min"]), sides)]
         if o["turned"] or any(o["at"]):
             made += ["%s:rotate('y', %.9g)" % (n, o["turned"]), "%s:translate(%.9g, %.9g, %.9g)" % (n, *o["at"])]
         return made
@@ -41,8 +42,10 @@ def shape(n, o, name):
         h = math.sqrt(sum(x * x for x in d))
         u = [x / h for x in d]
         if kind == "cylinder":
-            return ["local %s = gr.nh_cylinder('%s', {0, 0, 0}, %.9g, %.9g)" % (n, n, h, o["radius"]), *along(n, u, o["p0"])]
-        return ["local %s = gr.nh_cone('%s', {0, 0, 0}, %.9g, %.9g)" % (n, n, h, o["r0"]), *along(n, [-x for x in u], o["p1"])]
+            return ["local %s = gr.nh_cylinder('%s', {0, 0, 0}, %.9g, %.9g)" % (n, n, h, o["radius"]),
+                    *along(n, u, o["p0"])]
+        return ["local %s = gr.nh_cone('%s', {0, 0, 0}, %.9g, %.9g)" % (n, n, h, o["r0"]),
+                *along(n, [-x for x in u], o["p1"])]
     if kind == "tiles":
         return ["local %s = gr.mesh('%s', '%s_tiles.obj')" % (n, n, name)]
     return ["local %s = gr.mesh('%s', 'mesh_%s.obj', {smooth = true})" % (n, n, o["size"])]
@@ -64,8 +67,8 @@ def looks(n, o):
 
 def script(s):
     c = s["camera"]
-    lines = ["-- " + s["title"], "gr.options{max_depth = %d}" % s["max_depth"], "gr.background(%s)" % vec(s["background"]),
-             "local scene = gr.node('scene')"]
+    lines = ["-- " + s["title"], "gr.options{max_depth = %d}" % s["max_depth"],
+             "gr.background(%s)" % vec(s["background"]), "local scene = gr.node('scene')"]
     for i, o in enumerate(s["objects"]):
         n = "n%d" % (i + 1)
         lines += ["do", *shape(n, o, s["name"]), *looks(n, o), "end"]

@@ -24,8 +24,8 @@ def v3(v):
 def looks(o):
     m = o["mat"]
     if o["type"] == "tiles":    # map_type 0 lies in xy; the image's u follows x and its v follows z
-        pigment = ('image_map { png "%s" gamma 1.0 map_type 0 interpolate 2 } matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0> scale %g'
-                   % (o["file"], o["scale"]))
+        pigment = ('image_map { png "%s" gamma 1.0 map_type 0 interpolate 2 } '
+                   'matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0> scale %g' % (o["file"], o["scale"]))
     else:
         pigment = "rgbt <%s,%.9g>" % (",".join("%.9g" % x for x in m["color"]), m["transmit"])
     mirror = " reflection { rgb %g }" % m["reflection"] if m["reflection"] > 0 else ""
@@ -72,8 +72,10 @@ def script(s):
     angle = 2 * math.degrees(math.atan(aspect * math.tan(math.radians(c["fovy"]) / 2)))
     lens = ""
     if c["lens_radius"] > 0:    # its lens reaches a quarter of `aperture` from the axis
-        lens = "\n  aperture %.9g focal_point %s\n  #if (BSMIN > 0) blur_samples BSMIN, BS #else blur_samples BS #end variance BVAR confidence BCONF" % (
-            4 * c["lens_radius"], v3(c["focus"]))
+        lens = ("\n  aperture %.9g focal_point %s"
+                "\n  #if (BSMIN > 0) blur_samples BSMIN, BS #else blur_samples BS #end"
+                " variance BVAR confidence BCONF" % (
+            4 * c["lens_radius"], v3(c["focus"])))
     lines = [HEAD, "global_settings { assumed_gamma 1.0 max_trace_level %d ambient_light rgb 1 }" % s["max_depth"],
              "background { rgb %s }" % v3(s["background"]),
              "camera { perspective location %s sky %s right <-%.12g,0,0> up <0,1,0> angle %.10g look_at %s%s }" % (

@@ -13,7 +13,8 @@ def available():
 
 
 def declare(**values):
-    return ["Declare=%s=%.9g%s" % (k, v, "" if "." in "%.9g" % v or "e" in "%.9g" % v else ".0") for k, v in values.items()]
+    """POV-Ray reads a declared number only with a point or an exponent."""
+    return ["Declare=%s=%r" % (k, float(v)) for k, v in values.items()]
 
 
 def lamp(text):
@@ -23,12 +24,13 @@ def lamp(text):
 
 
 OFF = "-A"
-AREA = [(OFF, "3/0 5/0 5/1 9/1"), ("+AM1 +R2 +A0.3", "5/0"), ("+AM1 +R3 +A0.3", "5/0 5/1"), ("+AM2 +R2 +A0.3", "5/0 5/1"),
-        ("+AM2 +R2 +A0.1", "5/0 9/0"), ("+AM2 +R3 +A0.3", "5/0 5/1"), ("+AM2 +R3 +A0.1", "3/0 5/0 5/0n 5/1 9/0 9/0n 9/1"),
+AREA = [(OFF, "3/0 5/0 5/1 9/1"), ("+AM1 +R2 +A0.3", "5/0"), ("+AM1 +R3 +A0.3", "5/0 5/1"),
+        ("+AM2 +R2 +A0.3", "5/0 5/1"), ("+AM2 +R2 +A0.1", "5/0 9/0"), ("+AM2 +R3 +A0.3", "5/0 5/1"),
+        ("+AM2 +R3 +A0.1", "3/0 5/0 5/0n 5/1 9/0 9/0n 9/1"),
         ("+AM2 +R3 +A0.03", "5/0 9/0"), ("+AM2 +R4 +A0.1", "5/0 9/0 9/1"), ("+AM2 +R4 +A0.03", "5/0 9/0 9/0n 9/1 17/2"),
         ("+AM2 +R4 +A0.01", "9/0 9/1")]
-POINT = [OFF, "+AM1 +R2 +A0.3", "+AM1 +R3 +A0.3", "+AM1 +R3 +A0.1", "+AM1 +R4 +A0.1", "+AM1 +R5 +A0.1", "+AM2 +R2 +A0.3",
-         "+AM2 +R2 +A0.1", "+AM2 +R3 +A0.3", "+AM2 +R3 +A0.1", "+AM2 +R3 +A0.1 -J", "+AM2 +R3 +A0.03", "+AM2 +R4 +A0.1",
+POINT = [OFF, "+AM1 +R2 +A0.3", "+AM1 +R3 +A0.3", "+AM1 +R3 +A0.1", "+AM1 +R4 +A0.1", "+AM1 +R5 +A0.1",
+         "+AM2 +R2 +A0.3", "+AM2 +R2 +A0.1", "+AM2 +R3 +A0.3", "+AM2 +R3 +A0.1", "+AM2 +R3 +A0.1 -J", "+AM2 +R3 +A0.03", "+AM2 +R4 +A0.1",
          "+AM2 +R4 +A0.1 -J", "+AM2 +R4 +A0.03", "+AM2 +R5 +A0.1", "+AM2 +R5 +A0.03", "+AM2 +R6 +A0.03"]
 # most samples, fewest, variance, confidence
 BLUR = [(10, 0, 1 / 128, 0.9), (20, 0, 1 / 128, 0.9), (50, 0, 1 / 128, 0.9), (50, 0, 1e-3, 0.9), (100, 0, 1e-3, 0.9),

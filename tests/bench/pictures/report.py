@@ -6,6 +6,12 @@ COLORS = {"joint": "#c0392b", "jitter": "#2980b9", "grid": "#7f8c8d", "random": 
 NAMES = {"joint": "--error", "jitter": "--sampler jitter", "grid": "--sampler grid", "random": "--sampler random",
          "povray": "POV-Ray"}
 
+PLOT = """
+
+![RMSE against CPU seconds for each scene](images/error_against_time.png)
+
+The dots are all settings of POV-Ray that were tried, its line the best of them."""
+
 
 def number(value, mark=""):
     if value is None:
@@ -22,11 +28,13 @@ def over(a, b):
 
 
 class Report:
-    def __init__(self, judged):
-        self.judged, self.results = judged, []
+    def __init__(self, judged, results):
+        self.judged, self.results = judged, results
 
     def add(self, result):
-        self.results.append(result)
+        """in the place of what is there of the same scene"""
+        others = [r for r in self.results if r["scene"] != result["scene"]]
+        self.results = sorted(others + [result], key=lambda r: r["scene"])
 
     def points(self, result):
         """every setting of one scene; POV-Ray's on its front"""
@@ -76,9 +84,9 @@ class Report:
         import matplotlib
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt
-        columns = 2
+        columns = min(2, len(self.results))
         rows = (len(self.results) + columns - 1) // columns
-        figure, axes = plt.subplots(rows, columns, figsize=(10, 3.6 * rows), squeeze=False)
+        figure, axes = plt.subplots(rows, columns, figsize=(5 * columns, 3.6 * rows), squeeze=False)
         for axis in axes.flat[len(self.results):]:
             axis.axis("off")
         for axis, result in zip(axes.flat, self.results):
@@ -100,7 +108,7 @@ class Report:
     def write(self, top):
         images = os.path.join(top, "Documentation", "images")
         self.plot(os.path.join(images, "error_against_time.png"))
-        put(os.path.join(top, "Documentation", "performance.md"), "error_time", self.summary())
+        put(os.path.join(top, "Documentation", "performance.md"), "error_time", self.summary() + PLOT)
 
 
 def put(path, marker, text):
