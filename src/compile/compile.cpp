@@ -38,6 +38,17 @@ struct BoundsOfShape {
     }
 };
 
+/// The world box of a placed shape as rays see it; met by none where a tree leaves it out.
+PaddedBox paddedBox(const Transform& transform, const Bounds& local, const Bounds& world) {
+    const Vec3 extent = world.extent();
+    if (world.isEmpty() || !(extent.x + extent.y + extent.z < kInfinity)) return {};
+    if (transform.condition() > kBoxedCondition) return {world, kInfinity};
+    const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
+    const Bounds around = transform.boundsToWorld({-reach, reach});
+    const Vec3 farthest = glm::max(glm::abs(around.min), glm::abs(around.max));
+    return {world, std::max({farthest.x, farthest.y, farthest.z})};
+}
+
 /// Builds one RenderScene, step by step.
 class Compiler {
   public:
@@ -226,10 +237,12 @@ class Compiler {
         for (const Instance& instance : out_.instances) {
             const Bounds local = std::visit(BoundsOfShape{}, out_.shapes[instance.shape]);
             boxes.push_back(instance.transform.boundsToWorld(local));
+            out_.boxes.push_back(paddedBox(instance.transform, local, boxes.back()));
             if (out_.looks[instance.look].refracts && instance.closed) {
                 out_.refractingBounds.unite(boxes.back());
             }
         }
+        if (boxes.size() <= kFewBoxes) out_.quads = boxQuads(out_.boxes);
         WideTree::Settings settings;
         settings.threads = settings_.threads;
         out_.tree = WideTree::build(boxes, settings);

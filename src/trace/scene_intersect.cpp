@@ -5,12 +5,34 @@
 #include "rt/geometry/triangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rt {
 namespace {
 
 using MeshPointer = std::shared_ptr<const MeshShape>;
+
+/// Calls use(solid) or use(mesh pointer) with what the shape is. std::visit would go through a
+/// table of functions, none of which is inlined.
+template <class Use>
+[[gnu::always_inline]] inline auto withShape(const Shape& shape, const Use& use) {
+    static_assert(std::variant_size_v<Shape> == 6);
+    switch (shape.index()) {
+        case 0:
+            return use(*std::get_if<0>(&shape));
+        case 1:
+            return use(*std::get_if<1>(&shape));
+        case 2:
+            return use(*std::get_if<2>(&shape));
+        case 3:
+            return use(*std::get_if<3>(&shape));
+        case 4:
+            return use(*std::get_if<4>(&shape));
+        default:
+            return use(*std::get_if<5>(&shape));
+    }
+}
 
 struct IntersectShape {
     const Ray& ray;
@@ -53,7 +75,8 @@ struct SurfaceOfShape {
 
 /// Calls use(object-space ray) without copying the ray where the instance is not moved.
 template <class Use>
-bool inObjectSpace(const Transform& transform, const Ray& ray, Use&& use) {
+[[gnu::always_inline]] inline bool inObjectSpace(const Transform& transform, const Ray& ray,
+                                                 Use&& use) {
     if (transform.isIdentity()) return use(ray);
     const Ray local = transform.toObject(ray);
     return use(local);
@@ -62,8 +85,63 @@ bool inObjectSpace(const Transform& transform, const Ray& ray, Use&& use) {
 bool nearestOn(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
                PrimitiveHit& hit) {
     return inObjectSpace(transform, ray, [&](const Ray& local) {
-        return std::visit(IntersectShape{local, range, hit}, shape);
+        return withShape(shape, IntersectShape{local, range, hit});
     });
+}
+
+/// Calls test(item, Interval now) -> double for the instances whose boxes meet the ray, near ones
+/// first, with the range that is left; it returns the range's new max.
+template <class Test>
+void visitNearFirst(const RenderScene& scene, const Ray& ray, Interval range, const Test& test) {
+    SlabRay slabs;
+    const bool made = slabs.make(ray);
+    if (!made || scene.quads.empty()) {
+        traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
+            if (made && !slabs.meets(scene.boxes[item], now)) return now.max;
+            return test(item, now);
+        });
+        return;
+    }
+    alignas(32) double entries[kFewBoxes];
+    unsigned waiting = 0;
+    const QuadTester tester(slabs);
+    for (std::size_t i = 0; i < scene.quads.size(); ++i) {
+        waiting |= tester.meet(scene.quads[i], range, entries + 4 * i) << 4 * i;
+    }
+    while (waiting != 0) {
+        int nearest = std::countr_zero(waiting);
+        for (unsigned rest = waiting & (waiting - 1); rest != 0; rest &= rest - 1) {
+            const int next = std::countr_zero(rest);
+            if (entries[next] < entries[nearest]) nearest = next;
+        }
+        if (!(entries[nearest] <= range.max)) return;
+        waiting &= ~(1u << nearest);
+        range.max = std::min(range.max, test(static_cast<Index>(nearest), range));
+    }
+}
+
+/// Calls test(item) -> bool for the instances whose boxes meet the ray in `range`, until it returns
+/// true; returns whether it did.
+template <class Test>
+bool visitUntil(const RenderScene& scene, const Ray& ray, Interval range, const Test& test) {
+    SlabRay slabs;
+    const bool made = slabs.make(ray);
+    if (!made || scene.quads.empty()) {
+        return traverseAny(scene.tree, ray, range, [&](Index item) {
+            if (made && !slabs.meets(scene.boxes[item], range)) return false;
+            return test(item);
+        });
+    }
+    double entries[4];
+    const QuadTester tester(slabs);
+    for (std::size_t i = 0; i < scene.quads.size(); ++i) {
+        for (unsigned met = tester.meet(scene.quads[i], range, entries); met != 0; met &= met - 1) {
+            if (test(static_cast<Index>(4 * i) + static_cast<Index>(std::countr_zero(met)))) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 double largest(const Vec3& v) {
@@ -73,7 +151,7 @@ double largest(const Vec3& v) {
 /// Of the hits up to `tLast`, the one of the lowest instance.
 void firstOfCoincident(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit) {
     SceneHit lowest = hit;
-    traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
+    visitNearFirst(scene, ray, range, [&](Index item, Interval now) {
         PrimitiveHit found;
         if (item < lowest.instance && intersectInstance(scene, item, ray, now, found)) {
             lowest = {found, item};
@@ -99,7 +177,7 @@ bool intersectInstance(const RenderScene& scene, Index instance, const Ray& ray,
 bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
                     PrimitiveHit& hit, Vec3& normal) {
     if (!nearestOn(shape, transform, ray, range, hit)) return false;
-    normal = std::visit(SurfaceOfShape{hit, SurfaceDetail::kShape}, shape).normal;
+    normal = withShape(shape, SurfaceOfShape{hit, SurfaceDetail::kShape}).normal;
     if (!transform.isIdentity()) normal = transform.normalToWorld(normal);
     return true;
 }
@@ -108,7 +186,7 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
                 bool* shared) {
     SceneHit best;
     bool coincident = false;
-    traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
+    visitNearFirst(scene, ray, range, [&](Index item, Interval now) {
         PrimitiveHit found;
         if (!intersectInstance(scene, item, ray, now, found)) return now.max;
         const double slack = coincidenceInT(ray, found.t);
@@ -131,18 +209,18 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
 bool instanceBlocks(const RenderScene& scene, Index item, const Ray& ray, Interval range) {
     const Instance& instance = scene.instances[item];
     return inObjectSpace(instance.transform, ray, [&](const Ray& local) {
-        return std::visit(MeetsShape{local, range}, scene.shapes[instance.shape]);
+        return withShape(scene.shapes[instance.shape], MeetsShape{local, range});
     });
 }
 
 bool anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
-    return traverseAny(scene.tree, ray, range,
-                       [&](Index item) { return instanceBlocks(scene, item, ray, range); });
+    return visitUntil(scene, ray, range,
+                      [&](Index item) { return instanceBlocks(scene, item, ray, range); });
 }
 
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings) {
-    traverseAny(scene.tree, ray, range, [&](Index item) {
+    visitUntil(scene, ray, range, [&](Index item) {
         Interval rest = range;
         PrimitiveHit found;
         while (intersectInstance(scene, item, ray, rest, found)) {
@@ -155,7 +233,7 @@ void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
 
 SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail) {
     const Instance& instance = scene.instances[hit.instance];
-    return std::visit(SurfaceOfShape{hit.at, detail}, scene.shapes[instance.shape]);
+    return withShape(scene.shapes[instance.shape], SurfaceOfShape{hit.at, detail});
 }
 
 }  // namespace rt

@@ -130,6 +130,21 @@ inline constexpr double kLeastSlope = 0x1p-40;
 /// primitive's test makes before its hits lie on the ray again.
 inline constexpr double kOriginRounding = 0x1p-46;
 
+// --- double-precision boxes (accel) ---
+
+/// Directions are tested against boxes in double precision while their longest part lies between
+/// this and its inverse: far from where a reciprocal overflows or loses digits.
+inline constexpr double kLongestSlope = 0x1p500;
+
+/// What a shape is placed by may multiply roundings of world coordinates by this, and its hits still
+/// lie in its padded box: 16 of the 2^6 roundings that boxes allow for.
+inline constexpr double kBoxedCondition = 16.0;
+
+/// Parts of a direction below this fraction of the longest count as this. Until a ray has left a
+/// box at p, it has gone |origin| + |p| along its longest axis, and so less than 2^-59 of that
+/// sideways by the difference: the pad is 2^-46 of it.
+inline constexpr double kLeastSlopeShare = 0x1p-60;
+
 /// In surface() of a torus: rho is off by 2 roundings of at most R + r, rho - R by one more, the
 /// distance to the circle by 3 and its difference with r by 1, each of r; relative to R + r.
 inline constexpr double kTorusPointError = gamma(7);

@@ -58,6 +58,10 @@ class Transform {
     /// back with `toObject` is off by, seen in the world. So a ray that starts further than this
     /// from the surface starts on the same side of it in object space.
     double errorToWorld(const Vec3& objectPoint, double objectError) const;
+    /// |linear| |inverse|, the largest row sum: 1 for scales along the axes, at most 3 for a turn of
+    /// them. What a world coordinate is rounded by on the way to object space and back grows with
+    /// it.
+    double condition() const { return condition_; }
 
   private:
     Affine toWorld_;
@@ -68,6 +72,7 @@ class Transform {
     double wayBack_ = 0.0;
     /// Bound on the length of the image of a vector of length 1.
     double stretch_ = 1.0;
+    double condition_ = 1.0;
     bool identity_ = true;
     bool flips_ = false;
 };

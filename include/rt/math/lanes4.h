@@ -52,11 +52,16 @@ class Lanes4 {
     friend unsigned notAbove(Lanes4 a, Lanes4 b) {
         return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v_, b.v_, _CMP_LE_OQ)));
     }
-    /// The largest of the first three lanes.
+    /// The largest, the least of the first three lanes.
     friend double largestOfThree(Lanes4 a) {
         const __m128d xy = _mm256_castpd256_pd128(a.v_);
         const __m128d z = _mm256_extractf128_pd(a.v_, 1);
         return _mm_cvtsd_f64(_mm_max_sd(_mm_max_sd(xy, _mm_unpackhi_pd(xy, xy)), z));
+    }
+    friend double leastOfThree(Lanes4 a) {
+        const __m128d xy = _mm256_castpd256_pd128(a.v_);
+        const __m128d z = _mm256_extractf128_pd(a.v_, 1);
+        return _mm_cvtsd_f64(_mm_min_sd(_mm_min_sd(xy, _mm_unpackhi_pd(xy, xy)), z));
     }
 
   private:
@@ -120,10 +125,14 @@ class Lanes4 {
         for (std::size_t i = 0; i < 4; ++i) mask |= (a.v_[i] <= b.v_[i] ? 1u : 0u) << i;
         return mask;
     }
-    /// The largest of the first three lanes.
+    /// The largest, the least of the first three lanes.
     friend double largestOfThree(Lanes4 a) {
         const double xy = a.v_[0] > a.v_[1] ? a.v_[0] : a.v_[1];
         return xy > a.v_[2] ? xy : a.v_[2];
+    }
+    friend double leastOfThree(Lanes4 a) {
+        const double xy = a.v_[0] < a.v_[1] ? a.v_[0] : a.v_[1];
+        return xy < a.v_[2] ? xy : a.v_[2];
     }
 
   private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rt/accel/mesh_tree.h"
+#include "rt/accel/padded_boxes.h"
 #include "rt/accel/wide_tree.h"
 #include "rt/core/transform.h"
 #include "rt/geometry/box.h"
@@ -77,7 +78,9 @@ struct RenderScene {
     std::vector<Shape> shapes;
     std::vector<Look> looks;
     std::vector<Instance> instances;
-    WideTree tree;  ///< over the instances' world bounds
+    WideTree tree;                 ///< over the instances' world bounds
+    std::vector<PaddedBox> boxes;  ///< of each instance
+    std::vector<BoxQuad> quads;    ///< the same, where they are few; a tree is slower there
     std::vector<Light> lights;
     Color ambient{0.0};
     Background background;

@@ -1,0 +1,150 @@
+// Boxes in double precision, and the slab test of a ray against them (Kay, Kajiya, "Ray tracing
+// complex scenes", 1986).
+//
+// A WideTree's boxes are single precision and padded by 2^-18 of the tree: a ray that leaves a
+// surface is always inside its box. These are padded by a few roundings, less than what keeps a
+// secondary ray off its surface: a ray that leaves the face of a box meets that box no more, and
+// the primitive's own test is spared. Up to kFewBoxes of them are tested one after another faster
+// than a tree is walked.
+//
+// Like those of a tree, they never lose a hit that a primitive's own test finds, provided that the
+// point at the found t lies within 2^-47 of the ray's origin distance, or of `rounding`, of the
+// primitive's Bounds. Every instruction set may round differently here; no answer depends on it.
+#pragma once
+
+#include "rt/core/bounds.h"
+#include "rt/core/numeric.h"
+#include "rt/core/ray.h"
+#include "rt/math/lanes4.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+inline constexpr std::size_t kFewBoxes = 16;
+
+struct alignas(32) PaddedBox {
+    double min[4] = {kInfinity, kInfinity, kInfinity, 0.0};  ///< the last lane is spare
+    double max[4] = {-kInfinity, -kInfinity, -kInfinity, 0.0};
+
+    /// The default is met by no ray.
+    PaddedBox() = default;
+    /// `rounding`: magnitude of the coordinates that hits on what is in the box are computed from,
+    /// beside those of the box itself. Infinity: every ray meets the box.
+    PaddedBox(const Bounds& bounds, double rounding) {
+        const Vec3 low = glm::abs(bounds.min);
+        const Vec3 high = glm::abs(bounds.max);
+        const double size = std::max({low.x, low.y, low.z, high.x, high.y, high.z, rounding});
+        for (int axis = 0; axis < 3; ++axis) {
+            min[axis] = bounds.min[axis] - kOriginRounding * size;
+            max[axis] = bounds.max[axis] + kOriginRounding * size;
+        }
+    }
+};
+
+/// Four boxes side by side: min x, max x, min y, max y, min z, max z.
+struct alignas(32) BoxQuad {
+    double plane[6][4];
+};
+
+/// The boxes, four by four, in their order.
+inline std::vector<BoxQuad> boxQuads(std::span<const PaddedBox> boxes) {
+    std::vector<BoxQuad> quads((boxes.size() + 3) / 4);
+    for (std::size_t i = 0; i < 4 * quads.size(); ++i) {
+        const PaddedBox box = i < boxes.size() ? boxes[i] : PaddedBox();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            quads[i / 4].plane[2 * axis][i % 4] = box.min[axis];
+            quads[i / 4].plane[2 * axis + 1][i % 4] = box.max[axis];
+        }
+    }
+    return quads;
+}
+
+/// A ray as these boxes see it. Lives on one function's stack (Lanes4).
+class SlabRay {
+  public:
+    /// False for a ray that is not finite, or whose direction's square leaves the doubles: such a
+    /// ray knows nothing of boxes.
+    [[nodiscard]] [[gnu::always_inline]] bool make(const Ray& ray) {
+        const Lanes4 origin = Lanes4::loadThree(&ray.origin.x);
+        const Lanes4 direction = Lanes4::loadThree(&ray.direction.x);
+        const Lanes4 size = magnitude(direction);
+        const Lanes4 distance = magnitude(origin);
+        const double longest = largestOfThree(size);
+        const unsigned finite =
+            notAbove(distance, Lanes4::all(std::numeric_limits<double>::max())) &
+            notAbove(size, Lanes4::all(kLongestSlope));
+        if (!(finite == 0xf && longest > 1.0 / kLongestSlope)) return false;
+        const Lanes4 slope =
+            withSign(greater(size, Lanes4::all(kLeastSlopeShare * longest)), direction);
+        const Lanes4 pad = Lanes4::all(kOriginRounding * largestOfThree(distance));
+        inverse_ = Lanes4::all(1.0) / slope;
+        lowOrigin_ = origin + pad;
+        highOrigin_ = origin - pad;
+        return true;
+    }
+
+    /// Whether the box is met at some t in [range.min, range.max].
+    [[gnu::always_inline]] bool meets(const PaddedBox& box, Interval range) const {
+        const Lanes4 low = (Lanes4::load(box.min) - lowOrigin_) * inverse_;
+        const Lanes4 high = (Lanes4::load(box.max) - highOrigin_) * inverse_;
+        const double entry = largestOfThree(lesser(low, high));
+        const double exit = leastOfThree(greater(low, high));
+        return std::max(entry, range.min) <= std::min(exit, range.max);
+    }
+
+  private:
+    friend class QuadTester;
+    Lanes4 inverse_;
+    Lanes4 lowOrigin_;   ///< moved up, as a box's lower planes are to be moved down
+    Lanes4 highOrigin_;  ///< moved down
+};
+
+/// A SlabRay against four boxes at a time.
+class QuadTester {
+  public:
+    [[gnu::always_inline]] explicit QuadTester(const SlabRay& ray) {
+        double inverse[4];
+        double shift[2][4];
+        ray.inverse_.store(inverse);
+        (Lanes4::all(0.0) - ray.lowOrigin_ * ray.inverse_).store(shift[0]);
+        (Lanes4::all(0.0) - ray.highOrigin_ * ray.inverse_).store(shift[1]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const int backwards = std::signbit(inverse[axis]) ? 1 : 0;
+            inverse_[axis] = Lanes4::all(inverse[axis]);
+            nearShift_[axis] = Lanes4::all(shift[backwards][axis]);
+            farShift_[axis] = Lanes4::all(shift[1 - backwards][axis]);
+            nearPlane_[axis] = 2 * axis + backwards;
+            farPlane_[axis] = 2 * axis + 1 - backwards;
+        }
+    }
+
+    /// Bit i: the ray meets box i of the four within `range`, at `entries[i]` first.
+    [[gnu::always_inline]] unsigned meet(const BoxQuad& quad, Interval range,
+                                         double* entries) const {
+        Lanes4 enter = Lanes4::all(range.min);
+        Lanes4 leave = Lanes4::all(range.max);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Lanes4 near = Lanes4::load(quad.plane[nearPlane_[axis]]);
+            const Lanes4 far = Lanes4::load(quad.plane[farPlane_[axis]]);
+            enter = greater(fma(near, inverse_[axis], nearShift_[axis]), enter);
+            leave = lesser(fma(far, inverse_[axis], farShift_[axis]), leave);
+        }
+        enter.store(entries);
+        return notAbove(enter, leave);
+    }
+
+  private:
+    Lanes4 inverse_[3];
+    Lanes4 nearShift_[3];
+    Lanes4 farShift_[3];
+    int nearPlane_[3];
+    int farPlane_[3];
+};
+
+}  // namespace rt
