@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kPi = 0x1.921fb54442d18p+1;
 constexpr double kMitchellRoot = 8.0 / 7.0;
+/// One strip of so many is for negative places: near their share of |f|, and a power of two, so
+/// that the points of nets split exactly.
+constexpr double kStrips = 16.0;
 /// Newton's method is quadratic inside a cell; only where the filter ends does it need more.
 constexpr int kNewtonSteps = 8;
 /// The error that follows a step of this share of a cell is below 2^-24 of the cell.
@@ -109,7 +112,16 @@ void PixelFilter::normalize() {
     }
     const double signedHalf = half - 2.0 * negative;
     scale_ = 0.5 / signedHalf;
-    absoluteSum_ = half / signedHalf;
+    within_ = (half - negative) / half;
+    // Integrals of |f| within and beyond along one axis, that of f being 1.
+    const double inside = (half - negative) / signedHalf;
+    const double outside = negative / signedHalf;
+    if (negative > 0.0) {
+        const double positive = inside * inside + outside * outside;
+        positiveWeight_ = positive * kStrips / (kStrips - 1.0);
+        negativeWeight_ = -2.0 * inside * outside * kStrips;
+        corners_ = outside * outside / positive;
+    }
     for (std::size_t i = 0; i <= cells_; ++i) {
         share_[i] /= half;
         density_[i] /= half;
@@ -163,18 +175,37 @@ double PixelFilter::distance(double share) const {
     return knot_[cell] + width * s;
 }
 
-PixelFilter::Draw PixelFilter::draw(double u) const {
+/// From 0 to 1 across the part of an axis where f is not negative.
+double PixelFilter::within(double u) const {
     const double centred = 2.0 * u - 1.0;
-    const double x = distance(std::fabs(centred));
-    const double weight = x > negativeFrom_ ? -absoluteSum_ : absoluteSum_;
-    return {std::copysign(x, centred), weight};
+    return std::copysign(distance(std::fabs(centred) * within_), centred);
+}
+
+/// From 0 to 1 across the two parts where it is.
+double PixelFilter::beyond(double u) const {
+    const double centred = 2.0 * u - 1.0;
+    return std::copysign(distance(within_ + std::fabs(centred) * (1.0 - within_)), centred);
+}
+
+/// f is negative within along one axis and beyond along the other.
+FilterSample PixelFilter::sampleSigned(const Vec2& u) const {
+    const double strip = kStrips * u.x;
+    const double before = kStrips - 1.0;
+    if (strip >= before) {
+        const double place = 2.0 * (strip - before);
+        if (place < 1.0) return {Vec2(beyond(place), within(u.y)), negativeWeight_};
+        return {Vec2(within(u.y), beyond(place - 1.0)), negativeWeight_};
+    }
+    const double place = strip / before;
+    const double middle = 1.0 - corners_;
+    if (place < middle) return {Vec2(within(place / middle), within(u.y)), positiveWeight_};
+    return {Vec2(beyond((place - middle) / corners_), beyond(u.y)), positiveWeight_};
 }
 
 FilterSample PixelFilter::sample(const Vec2& u) const {
     if (kind_ == FilterKind::kBox) return {u - 0.5, 1.0};
-    const Draw across = draw(u.x);
-    const Draw down = draw(u.y);
-    return {Vec2(across.offset, down.offset), across.weight * down.weight};
+    if (negativeWeight_ < 0.0) return sampleSigned(u);
+    return {Vec2(within(u.x), within(u.y)), 1.0};
 }
 
 }  // namespace rt

@@ -88,8 +88,9 @@ double rmse(SamplerKind kind, const Integrand& f, int samples) {
     return std::sqrt(sum / kPixels);
 }
 
-/// Exponent of the error: the least-squares slope of log RMSE over log samples, 16 .. 1024.
-double slope(SamplerKind kind, const Integrand& f) {
+/// Exponent of an error: the least-squares slope of log RMSE over log samples, 16 .. 1024.
+template <class Rmse>
+double slopeOf(Rmse rmseWith) {
     double sx = 0.0;
     double sy = 0.0;
     double sxx = 0.0;
@@ -97,13 +98,54 @@ double slope(SamplerKind kind, const Integrand& f) {
     int n = 0;
     for (int samples = 16; samples <= 1024; samples *= 2, ++n) {
         const double x = std::log(samples);
-        const double y = std::log(rmse(kind, f, samples));
+        const double y = std::log(rmseWith(samples));
         sx += x;
         sy += y;
         sxx += x * x;
         sxy += x * y;
     }
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+double slope(SamplerKind kind, const Integrand& f) {
+    return slopeOf([&](int samples) { return rmse(kind, f, samples); });
+}
+
+/// An image, and the mean of it under a filter about each of many pixels.
+struct FilteredImage {
+    std::string name;
+    double (*value)(double x, double y);
+};
+
+double waves(double x, double y) {
+    return 0.5 + 0.25 * std::sin(2.0 * x + 0.3) + 0.25 * std::cos(1.5 * y - x);
+}
+double slantedEdge(double x, double y) {
+    return x + 0.37 * y < 0.21 ? 1.0 : 0.0;
+}
+double constant(double, double) {
+    return 0.5;
+}
+
+/// The filtered value about (x, 0), by the midpoint rule.
+double filteredTruth(const PixelFilter& filter, const FilteredImage& image, double x) {
+    constexpr int kSteps = 700;
+    const double step = 2.0 * filter.radius() / kSteps;
+    std::vector<double> weights;
+    for (int i = 0; i < kSteps; ++i) {
+        weights.push_back(step * filter.value((i + 0.5) * step - filter.radius()));
+    }
+    double truth = 0.0;
+    for (int j = 0; j < kSteps; ++j) {
+        double row = 0.0;
+        const double v = (j + 0.5) * step - filter.radius();
+        for (int i = 0; i < kSteps; ++i) {
+            const double u = (i + 0.5) * step - filter.radius();
+            row += weights[static_cast<std::size_t>(i)] * image.value(x + u, v);
+        }
+        truth += weights[static_cast<std::size_t>(j)] * row;
+    }
+    return truth;
 }
 
 }  // namespace
@@ -209,5 +251,50 @@ TEST_CASE("a thousand pixels with few samples average to the truth, with every f
         CAPTURE(static_cast<int>(kind));
         CHECK(std::fabs(sum / kPixels) < 4.0 * deviation + 1e-5);
         CHECK(deviation < 0.01);
+    }
+}
+
+TEST_CASE("errors under each filter fall as fast as those of its points") {
+    const FilteredImage images[] = {
+        {"constant", constant}, {"waves", waves}, {"slanted edge", slantedEdge}};
+    const char* names[] = {"box", "gaussian", "mitchell", "blackman-harris"};
+    for (const FilterKind kind : {FilterKind::kBox, FilterKind::kGaussian, FilterKind::kMitchell,
+                                  FilterKind::kBlackmanHarris}) {
+        const PixelFilter& filter = PixelFilter::of(kind);
+        for (const FilteredImage& image : images) {
+            constexpr int kPixels = 60;
+            std::vector<double> truths;
+            for (int pixel = 0; pixel < kPixels; ++pixel) {
+                truths.push_back(filteredTruth(filter, image, 0.03 * (pixel - 30)));
+            }
+            const auto rmseWith = [&](int samples) {
+                Sampler sampler({SamplerKind::kJoint, kind, kSeed, samples});
+                double squares = 0.0;
+                for (int pixel = 0; pixel < kPixels; ++pixel) {
+                    double sum = 0.0;
+                    for (int i = 0; i < samples; ++i) {
+                        sampler.start(pixel, 2, i);
+                        const FilterSample s = sampler.pixel();
+                        sum += s.weight * image.value(0.03 * (pixel - 30) + s.offset.x, s.offset.y);
+                    }
+                    const double error = sum / samples - truths[static_cast<std::size_t>(pixel)];
+                    squares += error * error;
+                }
+                return std::sqrt(squares / kPixels);
+            };
+            const double at64 = rmseWith(64);
+            const std::string name = names[static_cast<int>(kind)];
+            CAPTURE(name);
+            CAPTURE(image.name);
+            if (image.value == constant) {
+                MESSAGE(name << ", " << image.name << ": RMSE with 64: " << at64);
+                CHECK(at64 < 1e-6);
+                continue;
+            }
+            const double exponent = slopeOf(rmseWith);
+            MESSAGE(name << ", " << image.name << ": exponent " << exponent
+                         << ", RMSE with 64: " << at64);
+            CHECK(exponent < (image.value == waves ? -1.0 : -0.65));
+        }
     }
 }

@@ -1,7 +1,10 @@
 // Pixel filters by importance sampling: points are drawn with the density |f| of the filter about
 // the pixel's centre, and each carries the sign of f, so that a pixel needs only its own samples
 // (Ernst, Stamminger and Greiner, Filter Importance Sampling, IEEE Symp. Interactive Ray Tracing,
-// 2006). Filters are products of one function of each axis, x in pixels from the centre:
+// 2006). Where f has both signs, the square's last 1/16 along x goes to the negative parts and the
+// rest to the positive ones, each in proportion to |f|: 2^m >= 16 points of a net have exactly
+// their share of either sign, so that their weights add up to 2^m, and each sign's points are a
+// net. Filters are products of one function of each axis, x in pixels from the centre:
 //
 //   box               1                                                     |x| <= 1/2
 //   gaussian          exp(-2 x^2) - exp(-2 1.5^2), that is sigma 1/2        |x| <= 3/2
@@ -25,7 +28,7 @@ namespace rt {
 /// A place in the image plane and what the light found there counts for.
 struct FilterSample {
     Vec2 offset{0.0};     ///< from the pixel's centre, in pixels
-    double weight = 1.0;  ///< sign(f) times the integral of |f|, f having the integral 1
+    double weight = 1.0;  ///< f over the density of the points, f having the integral 1
 };
 
 class PixelFilter {
@@ -41,29 +44,29 @@ class PixelFilter {
     /// f along one axis, with the integral 1.
     double value(double x) const;
 
-    /// The sample for a point of the unit square: rising with u along each axis, with the density
-    /// |f|; the share of |f|'s integral up to any place is met to 3e-9.
+    /// The sample for a point of the unit square, with the density |f|: without negative parts
+    /// rising with u along each axis. The share of |f|'s integral up to any place is met to 3e-9.
     FilterSample sample(const Vec2& u) const;
 
   private:
     static constexpr std::size_t kCells = 128;
     static constexpr std::size_t kGuides = 256;
 
-    struct Draw {
-        double offset;
-        double weight;
-    };
-
     void addCells(double from, double to, std::size_t count);
     void normalize();
-    Draw draw(double u) const;
+    FilterSample sampleSigned(const Vec2& u) const;
+    double within(double u) const;
+    double beyond(double u) const;
     double distance(double share) const;
 
     FilterKind kind_;
     double radius_;
-    double scale_ = 1.0;         ///< of the formula above, to make the integral 1
-    double absoluteSum_ = 1.0;   ///< integral of |f| when that of f is 1
-    double negativeFrom_ = 0.0;  ///< beyond this distance f is negative
+    double scale_ = 1.0;           ///< of the formula above, to make the integral 1
+    double negativeFrom_ = 0.0;    ///< beyond this distance f is negative
+    double within_ = 1.0;          ///< share of |f|'s integral along an axis up to there
+    double positiveWeight_ = 1.0;  ///< of samples
+    double negativeWeight_ = 0.0;
+    double corners_ = 0.0;  ///< share of the places beyond along both axes in the positive parts
     std::size_t cells_ = 0;
     std::array<double, kCells + 1> knot_{};     ///< distances from the centre
     std::array<double, kCells + 1> share_{};    ///< of |f|'s integral up to the knot
