@@ -64,9 +64,22 @@ Vec3 shadingNormal(const CornerNormals& normals, const Vec3& weights, const Vec3
     return unitOr(sum, geometric);
 }
 
+/// Whether the normals turn apart along an edge, as on a surface that bulges to their side.
+bool bulges(const TriangleMesh& mesh, Index triangle, const CornerNormals& normals) {
+    const TriangleMesh::Corners& corners = mesh.triangles[triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const Vec3 edge = mesh.positions[corners[next]] - mesh.positions[corners[k]];
+        if (glm::dot(normals[next] - normals[k], edge) > 0.0) return true;
+    }
+    return false;
+}
+
 /// The point lifted to the corners' tangent planes where it lies below them, in the weights' mean.
+/// Normals that lean but do not bulge pretend no other surface, and lift nothing.
 Vec3 liftedPoint(const Vec3& point, const TriangleMesh& mesh, Index triangle,
                  const CornerNormals& normals, const Vec3& weights) {
+    if (!bulges(mesh, triangle, normals)) return point;
     Vec3 lifted = point;
     for (int k = 0; k < 3; ++k) {
         const auto corner = static_cast<std::size_t>(k);

@@ -224,12 +224,12 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
             w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
         }
     }
-    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
+    if (!point.faces(w)) return Color(0.0);
     const Color local =
         view->weight * view->irradiance *
         phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
     if (local == Color(0.0)) return local;
-    const Ray ray{point.leave(point.shadowOrigin, w), w};
+    const Ray ray{point.shadowStart(), w};
     return visibility(ray, view->reach(w), path.media) * local;
 }
 
