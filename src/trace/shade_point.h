@@ -9,21 +9,13 @@ struct ShadePoint {
     Vec3 position{0.0};
     Vec3 geometricNormal{0.0};  ///< unit, towards the viewer
     Vec3 normal{0.0};           ///< shading normal, unit, in the geometric normal's hemisphere
-    Vec3 shadowOrigin{0.0};     ///< where shadow rays start; off `position` on smooth meshes only
+    Vec3 shadowOrigin{0.0};     ///< off `position` on smooth meshes only: on the rounded surface
     /// Secondary rays start this far off the surface: more than the error of `position`.
     double clearance = 0.0;
     Material material;  ///< with the texture's colour put in
 
-    /// Whether light from w can reach the viewer's side. Past its horizon, a facet that stands for a
-    /// rounded surface is still lit where that surface is: the shadow ray, which starts on the
-    /// rounded surface, tells what is in the way, the facet's own mesh included.
-    bool faces(const Vec3& w) const {
-        if (glm::dot(w, geometricNormal) > 0.0) return true;
-        return shadowOrigin != position && glm::dot(w, normal) > 0.0;
-    }
-
-    /// Start of a ray towards a light that the point faces.
-    Vec3 shadowStart() const { return shadowOrigin + clearance * geometricNormal; }
+    /// Whether this is a facet that stands for a rounded surface.
+    bool isRounded() const { return shadowOrigin != position; }
 
     /// Start of a ray that leaves in direction w from `from`, on w's side of the surface.
     Vec3 leave(const Vec3& from, const Vec3& w) const {

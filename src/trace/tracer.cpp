@@ -28,6 +28,7 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     path.ray = scene_.camera.ray(x + 0.5 + at.offset.x, y + 0.5 + at.offset.y, lens);
     if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
     raysLeft_ = settings_.raysPerSample;
+    filterWeight_ = std::fabs(at.weight);
     ++counts_.rays.camera;
 
     Color sum(0.0);
@@ -189,7 +190,7 @@ void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
     parts.own += part;
     part = 0.0;
     ++counts_.cutPaths;
-    counts_.cutBound += bound;
+    counts_.cutBound += filterWeight_ * bound;
 }
 
 template <unsigned Features>
@@ -224,13 +225,33 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
             w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
         }
     }
-    if (!point.faces(w)) return Color(0.0);
+    const bool faced = glm::dot(w, point.geometricNormal) > 0.0;
+    const bool rounded = point.isRounded() && glm::dot(w, point.normal) > 0.0;
+    if (!faced && !rounded) return Color(0.0);
     const Color local =
         view->weight * view->irradiance *
         phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
     if (local == Color(0.0)) return local;
-    const Ray ray{point.shadowStart(), w};
-    return visibility(ray, view->reach(w), path.media) * local;
+    const double reach = view->reach(w);
+    double visible = 0.0;
+    if (faced) visible = visibility({point.leave(point.position, w), w}, reach, path.media);
+    if (rounded && visible == 0.0) visible = visibilityFromRounded(point, w, reach, path.media);
+    return visible * local;
+}
+
+/// What the rounded surface sees that a facet stands for: where the facet turns away from the light
+/// or its neighbours stand in the way, but that surface does not. Only where the point itself sees
+/// up to there, so that no light comes from beyond something else.
+template <unsigned Features>
+double Tracer<Features>::visibilityFromRounded(const ShadePoint& point, const Vec3& w, double reach,
+                                               const MediumSet& media) {
+    const Vec3 above = point.clearance * point.geometricNormal;
+    const double visible = visibility({point.shadowOrigin + above, w}, reach, media);
+    if (visible == 0.0) return 0.0;
+    const Vec3 lift = point.shadowOrigin - point.position;
+    const double height = glm::length(lift);
+    ++counts_.rays.shadow;
+    return anyHit(scene_, {point.position + above, lift / height}, {0.0, height}) ? 0.0 : visible;
 }
 
 /// V of the specification. A surface that the light itself lies on does not hide it.
@@ -251,7 +272,7 @@ double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet
     for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
         if (left == 0) {
             ++counts_.cutPaths;
-            counts_.cutBound += visible * scene_.radianceBound;
+            counts_.cutBound += filterWeight_ * visible * scene_.radianceBound;
             return 0.0;
         }
         ++counts_.rays.shadow;

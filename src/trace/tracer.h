@@ -63,6 +63,8 @@ class Tracer {
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
     double visibility(const Ray& ray, double reach, const MediumSet& media);
+    double visibilityFromRounded(const ShadePoint& point, const Vec3& w, double reach,
+                                 const MediumSet& media);
     double visibilityThroughGlass(Ray ray, double reach, MediumSet media);
     double transmitted(const Vec3& direction, const SceneHit& hit, const ShadePoint& point,
                        const MediumSet& media, const MediumSet& beyond) const;
@@ -81,6 +83,7 @@ class Tracer {
     TraceCounts& counts_;
     Sampler sampler_;
     std::uint64_t raysLeft_ = 0;
+    double filterWeight_ = 1.0;  ///< of the sample, without its sign
     std::vector<Path> pending_;
     /// The crossings at the last hit: one, or several where surfaces coincide.
     std::vector<SceneHit> together_;
