@@ -2,8 +2,8 @@
 -- polygon from tables.
 -- Right, because: all outlines are the same polygon; the flat ball shows faces of one colour each, the
 -- other two do not; these two agree but for faint edges in the computed one, where faces that meet at a
--- corner lie more than 40 degrees apart and are not averaged; the arrow has its notch, which a fan from
--- a corner beside it would fill.
+-- corner lie more than 40 degrees apart and are not averaged; their light ends along a smooth line, not
+-- at the edges of faces; the arrow has its notch, which a fan from a corner beside it would fill.
 
 local m = gr.material({0.6, 0.6, 0.6}, {0.4, 0.4, 0.4}, 30)
 local root = gr.node('root')
