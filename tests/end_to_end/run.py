@@ -202,6 +202,43 @@ class Rendering(EndToEnd):
         self.assertIn(b"Left out", done.stderr)
         self.assertIn(b"no object has set_refraction", done.stderr)
 
+    # What a scene may use, by the name that --stats gives it, and what is left out without it.
+    FEATURES = {
+        "secondary rays": "secondary rays and the path stack", "reflection": "mirror rays",
+        "refraction": "media around each ray, and Fresnel terms",
+        "transparent shadows": "shadow rays that walk through glass",
+        "textures and bump maps": "texture look-ups and tangents", "area lights": "light samples",
+        "lens": "lens samples", "meshes": "mesh trees and normal interpolation",
+        "background image": "background image look-ups", "lights": "shadow rays",
+    }
+    USES = {
+        "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
+        "refraction": ("ball:set_refraction(1.5, 0)", ["secondary rays", "transparent shadows"]),
+        "textures and bump maps": ("root:add_child(gr.sphere('b'), nil, gr.texture('white.png', {0, 0, 0}, 1))", []),
+        "area lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0}, 1)", ["lights"]),
+        "lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0})", []),
+        "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
+        "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
+        "background image": ("gr.background('white.png')", []),
+    }
+
+    def test_each_feature_is_used_or_said_to_be_left_out(self):
+        self.write("sky.lua", "gr.background({1, 1, 1})\n"
+                   "gr.render(gr.node('n'), 'white.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.run_project("sky.lua", "-q", "--spp", "1")
+        for name, (call, others) in [("none", ("", [])), *self.USES.items()]:
+            self.write("uses.lua", "root, ball, lights = gr.node('r'), gr.sphere('ball'), {}\n"
+                       "white = gr.material({1,1,1}, {0,0,0}, 1)\nroot:add_child(ball, white)\n" + call + "\n"
+                       "gr.render(root, 'x.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, lights, focal)")
+            done = self.run_project("uses.lua", "--explain", "--spp", "1", "--stats", "stats.json")
+            render = json.loads(self.read("stats.json"))["renders"][0]
+            used = {name, *others} - {"none"}
+            self.assertEqual(set(render["features"]), used)
+            left_out = {what for feature, what in self.FEATURES.items() if feature not in used}
+            self.assertEqual({skipped["what"] for skipped in render["skipped"]}, left_out)
+            for what in left_out:
+                self.assertIn(b"Left out: " + what.encode() + b", because ", done.stderr)
+
     def test_check_renders_nothing(self):
         self.write("scene.lua", BALL)
         self.run_project("scene.lua", "--check")
