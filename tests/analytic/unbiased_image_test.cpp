@@ -146,6 +146,31 @@ TEST_CASE("unbiased: an edge out of focus, and a soft shadow out of focus") {
     checkUnbiased({"shadow", shot, expected});
 }
 
+TEST_CASE("unbiased: a lens that straddles a glass wall") {
+    // Rays from the lens' right half start within the wall, leave it at z = -9 and bend there;
+    // those from the left half pass beside it. All would meet at z = -30; the edge lies at z = -20.
+    for (const double edge : {-0.1, 0.05}) {
+        Shot shot = square(place("gr.nh_box('wall', {0, -50, -9}, {50, 100, 50})", 0.0,
+                                 "it:set_refraction(1.5, 0.3)") +
+                               halfPlane(edge, -20.0),
+                           1e-12);
+        shot.eye = {0.0, 0.0, 0.0};
+        shot.focal = "30, 0.5, 0.5";
+        constexpr int kRings = 800;
+        int beyond = 0;
+        for (int i = 0; i < kRings; ++i) {
+            const double r = 0.5 * std::sqrt((i + 0.5) / kRings);
+            const double sine = 1.5 * std::sin(std::atan(r / 30.0));
+            const double bent = 21.0 / 30.0 - 11.0 * std::tan(std::asin(sine)) / r;
+            for (int k = 0; k < kRings; ++k) {
+                const double x = r * std::cos(2.0 * kPi * (k + 0.5) / kRings);
+                beyond += x * (x > 0.0 ? bent : 10.0 / 30.0) > edge ? 1 : 0;
+            }
+        }
+        checkUnbiased({"edge at " + text(edge), shot, beyond / (1.0 * kRings * kRings)});
+    }
+}
+
 TEST_CASE("unbiased: a gradient and a panorama over a wide view") {
     Shot shot = square("gr.background({0, 0, 0}, {1, 1, 1})", 100.0);
     const double tilt = 0.5;

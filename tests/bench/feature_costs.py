@@ -3,8 +3,8 @@
 
 Renders one scene by the leanest variant, and again with each feature forced on though no ray ever meets it: an object
 that has it stands far behind the camera; for lights, a radius below any rounding; for the lens, an aperture as small.
-The pictures stay the same but for the last bits, which is checked; the cost is what the feature's code adds where it
-is not needed, and so what a scene without it is spared. Rounds are interleaved; the ratio is the median over rounds of
+The picture stays the same, which is checked; the cost is what the feature's code adds where it is not needed, and so
+what a scene without it is spared. Rounds are interleaved; the ratio is the median over rounds of
 processor time (--stats) to that of the leanest render beside it.
 """
 import argparse, json, os, statistics, subprocess, sys, tempfile
@@ -65,12 +65,6 @@ def render(project, folder, name, spp):
         return only["cpu_seconds"], only["features"], file.read()
 
 
-def largest_difference(a, b):
-    import array
-    numbers = [array.array("f", data[-len(data) // 4 * 4 + 64:][: (len(data) - 128) // 4 * 4]) for data in (a, b)]
-    return max(abs(x - y) for x, y in zip(*numbers))
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--project", default=os.path.join(TOP, "Project"))
@@ -91,7 +85,7 @@ def main():
                 seconds, used[name], pixels[name] = render(arguments.project, folder, name, arguments.spp)
                 times[name].append(seconds)
     row = "| %s | %s | %s |" if arguments.markdown else "%-24s %-24s %s"
-    print(row % ("forced on, though unused", "time, of that without", "largest change of a value"))
+    print(row % ("forced on, though unused", "time, of that without", "same picture"))
     if arguments.markdown:
         print("| --- | --: | --: |")
     for name in list(scenes)[1:]:
@@ -99,7 +93,7 @@ def main():
             sys.exit("feature_costs.py: the scene does not use %s" % name)
         base = "one object more" if "root:add_child" in scenes[name] and name != "one object more" else "leanest"
         ratio = statistics.median(a / b for a, b in zip(times[name], times[base]))
-        print(row % (name, "%.3f" % ratio, "%.1g" % largest_difference(pixels[name], pixels[base])))
+        print(row % (name, "%.3f" % ratio, "yes" if pixels[name] == pixels[base] else "no"))
 
 
 if __name__ == "__main__":
