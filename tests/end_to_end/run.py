@@ -3,9 +3,10 @@
 
 PROJECT is the executable. --only threads runs what the thread sanitizer should see.
 """
-import json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+import glob, json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
 
 PROJECT = ""
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 BALL = """
 local root = gr.node('root')
@@ -303,6 +304,40 @@ class Rendering(EndToEnd):
         self.assertIn(b"not finite", done.stderr)
 
 
+class Scenes(EndToEnd):
+    """The project's own scenes: no warning, and the one that has everything against the slow truth."""
+
+    def test_every_scene_and_example_renders_without_a_warning(self):
+        scenes = glob.glob(os.path.join(TOP, "scenes", "*.lua"))
+        examples = glob.glob(os.path.join(TOP, "Documentation", "examples", "*.lua"))
+        self.assertGreater(len(scenes), 15)
+        self.assertGreater(len(examples), 25)
+        for scene in scenes + examples:
+            if os.path.basename(scene) == "stage.lua":
+                continue
+            with self.subTest(scene):
+                # The examples find what they show in the assets of the folder that they are run in.
+                done = subprocess.run([PROJECT, scene, "-q", "--werror", "--size", "32x18", "--spp", "1",
+                                       "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_the_scene_with_everything_is_the_slow_truth_but_for_what_was_cut(self):
+        scene = os.path.join(TOP, "scenes", "everything.lua")
+        common = [scene, "-q", "--size", "48x27", "--spp", "16"]
+        self.run_project(*common, "--stats", "stats.json", "-o", "fast.pfm")
+        self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
+        render = json.loads(self.read("stats.json"))["renders"][0]
+        for feature in ("reflection refraction lens meshes lights".split() +
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows"]):
+            self.assertIn(feature, render["features"])
+        self.assertEqual(render["skipped"], [])
+        (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))
+        # Prefiltered textures may be off by a third of the default error.
+        off = [max(abs(a - b) for a, b in zip(p, q)) for row, other in zip(fast, truth) for p, q in zip(row, other)]
+        self.assertLessEqual(sum(off) / len(off), render["cut_error_bound"] + 1e-3)
+        self.assertLess(render["cut_error_bound"], 1e-2)
+
+
 class Failures(EndToEnd):
     CASES = [
         # name, script, arguments, exit code, fragments of stderr
@@ -401,7 +436,7 @@ def main():
     global PROJECT
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Failures]
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)
