@@ -29,9 +29,9 @@ struct SurfacePoint {
     /// Outward unit normals: of the surface itself, and interpolated (the same on solids).
     Vec3 normal{0.0};
     Vec3 shadingNormal{0.0};
-    /// Where shadow rays start: `point`, but on a smooth mesh lifted onto the rounded surface that
-    /// its normals pretend (Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II, 2021, ch.
-    /// 4).
+    /// `point`, but on a smooth mesh whose normals turn apart lifted onto the rounded surface that
+    /// they pretend, which shadow rays may start from (Hanika, Hacking the Shadow Terminator, Ray
+    /// Tracing Gems II, 2021, ch. 4).
     Vec3 shadowOrigin{0.0};
     /// Of kParametrised: texture coordinates, and the derivatives of the point by u and v, 0 where
     /// the surface has no parametrisation.
