@@ -3,8 +3,8 @@
 -- sky upside down; the light comes from the sun's place in the picture.
 
 local black = gr.material({0.02, 0.02, 0.02}, {0.50, 0.50, 0.50}, 300)
-local clay = gr.material({0.66, 0.38, 0.26}, {0.10, 0.10, 0.10}, 20)
-local sand = gr.material({0.62, 0.58, 0.48}, {0, 0, 0}, 1)
+local clay = gr.material({0.86, 0.36, 0.22}, {0.10, 0.10, 0.10}, 20)
+local sand = gr.material({0.84, 0.78, 0.64}, {0, 0, 0}, 1)
 
 local root = gr.node('root')
 root:add_child(gr.nh_cylinder('island', {0, -0.6, 0}, 0.6, 4.2), sand)
@@ -28,4 +28,4 @@ local sun = {far * math.sin(a) * math.cos(h), far * math.sin(h), -far * math.cos
 
 gr.background('sky.png')
 gr.render(root, 'background.png', 800, 450, {-0.2, 1.7, 7.5}, {0.06, -0.03, -1}, {0, 1, 0}, 44,
-          {0.42, 0.44, 0.48}, {gr.light(sun, {0.85, 0.80, 0.66}, {1, 0, 0}, 4)})
+          {0.46, 0.48, 0.52}, {gr.light(sun, {0.85, 0.80, 0.66}, {1, 0, 0}, 4)})

@@ -7,7 +7,7 @@
 local pearl = gr.material({0.74, 0.72, 0.70}, {0.45, 0.45, 0.45}, 40)
 local jade = gr.material({0.25, 0.52, 0.40}, {0.55, 0.55, 0.55}, 70)
 local rose = gr.material({0.75, 0.30, 0.36}, {0.35, 0.35, 0.35}, 40)
-local slab = gr.material({0.58, 0.58, 0.60}, {0.03, 0.03, 0.03}, 10)
+local slab = gr.material({0.66, 0.65, 0.64}, {0.03, 0.03, 0.03}, 10)
 
 local root = gr.node('root')
 root:add_child(gr.nh_box('slab', {-40, -1, -40}, {80, 1, 80}), slab)
@@ -30,6 +30,6 @@ local gem = gr.mesh('gem', 'dodecahedron.obj')
 gem:rotate('x', 31.717)
 put(gem, rose, 1.3, 2.2, 1.033, -2.4)
 
-gr.background({0.62, 0.64, 0.68}, {0.30, 0.36, 0.48})
+gr.background({0.76, 0.78, 0.82}, {0.34, 0.44, 0.62})
 gr.render(root, 'phong_mesh.png', 800, 450, {0, 3.0, 8.6}, {0, -0.24, -1}, {0, 1, 0}, 36,
-          {0.24, 0.24, 0.27}, {gr.light({-16, 20, 16}, {0.75, 0.72, 0.66}, {1, 0, 0}, 1.4)})
+          {0.20, 0.20, 0.24}, {gr.light({-14, 17, 3}, {0.95, 0.90, 0.80}, {1, 0, 0}, 1.0)})

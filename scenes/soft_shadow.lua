@@ -2,10 +2,10 @@
 -- Look at: each shadow is sharp where it touches its object and wider the farther it falls; the warm
 -- light's shadows are the softer and cooler ones; the lattice's bars melt into each other far away.
 
-local plaster = gr.material({0.78, 0.76, 0.72}, {0.00, 0.00, 0.00}, 1)
-local clay = gr.material({0.72, 0.36, 0.24}, {0.15, 0.15, 0.15}, 25)
-local sage = gr.material({0.45, 0.55, 0.42}, {0.15, 0.15, 0.15}, 25)
-local ink = gr.material({0.20, 0.24, 0.34}, {0.30, 0.30, 0.30}, 50)
+local plaster = gr.material({0.86, 0.84, 0.80}, {0.00, 0.00, 0.00}, 1)
+local clay = gr.material({0.84, 0.36, 0.20}, {0.25, 0.25, 0.25}, 30)
+local sage = gr.material({0.42, 0.62, 0.40}, {0.25, 0.25, 0.25}, 30)
+local ink = gr.material({0.16, 0.26, 0.50}, {0.30, 0.30, 0.30}, 50)
 
 local root = gr.node('root')
 root:add_child(gr.nh_box('ground', {-30, -1, -30}, {60, 1, 60}), plaster)
@@ -34,7 +34,7 @@ ring:rotate('y', 35)
 ring:translate(1.1, 0.69, 1.2)
 root:add_child(ring, sage)
 
-gr.render(root, 'soft_shadow.png', 800, 450, {-0.3, 3.4, 8.2}, {0.02, -0.28, -1}, {0, 1, 0}, 36,
-          {0.16, 0.17, 0.20},
-          {gr.light({-5, 7, 6}, {0.62, 0.56, 0.46}, {1, 0, 0}, 1.2),
-           gr.light({4.5, 6, 5}, {0.24, 0.30, 0.40}, {1, 0, 0}, 0.5)})
+gr.render(root, 'soft_shadow.png', 800, 450, {-0.3, 3.2, 7.6}, {0.02, -0.29, -1}, {0, 1, 0}, 34,
+          {0.17, 0.17, 0.19},
+          {gr.light({-5, 7, 6}, {0.80, 0.70, 0.54}, {1, 0, 0}, 1.2),
+           gr.light({4.5, 6, 5}, {0.30, 0.40, 0.56}, {1, 0, 0}, 0.5)})

@@ -10,6 +10,22 @@ double brightest(const Color& c) {
     return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
 }
 
+bool isNegative(const Color& c) {
+    return std::min({c.x, c.y, c.z}) < 0.0;
+}
+
+/// Images hold nothing below zero.
+bool hasNegative(const RenderScene& scene) {
+    const auto dark = [](const Look& look) {
+        return isNegative(look.material.diffuse) || isNegative(look.material.specular);
+    };
+    const auto takes = [](const Light& light) { return isNegative(light.intensity); };
+    return isNegative(scene.ambient) || isNegative(scene.background.bottom) ||
+           isNegative(scene.background.top) ||
+           std::any_of(scene.looks.begin(), scene.looks.end(), dark) ||
+           std::any_of(scene.lights.begin(), scene.lights.end(), takes);
+}
+
 double distanceTo(const Bounds& box, const Vec3& p) {
     const Vec3 outside = glm::max(glm::max(box.min - p, p - box.max), Vec3(0.0));
     return glm::length(outside);
@@ -42,7 +58,8 @@ double radianceBound(const RenderScene& scene) {
         const double local = diffuse * std::max(1.0, light.brightness) + specular;
         if (local > 0.0) own += bright * local;
     }
-    return std::max(own, sky);
+    const double largest = std::max(own, sky);
+    return hasNegative(scene) ? 2.0 * largest : largest;
 }
 
 }  // namespace rt

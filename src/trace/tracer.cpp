@@ -29,6 +29,7 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     path.ray = scene_.camera.ray(x + 0.5 + at.offset.x, y + 0.5 + at.offset.y, lens);
     if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
     raysLeft_ = settings_.raysPerSample;
+    filterWeight_ = std::fabs(at.weight);
     ++counts_.rays.camera;
 
     SampleSum sum;
@@ -197,7 +198,7 @@ void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
     parts.own += part;
     part = 0.0;
     ++counts_.cutPaths;
-    counts_.cutBound += bound;
+    counts_.cutBound += filterWeight_ * bound;
 }
 
 template <unsigned Features>
@@ -278,7 +279,7 @@ double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet
     for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
         if (left == 0) {
             ++counts_.cutPaths;
-            counts_.cutBound += visible * scene_.radianceBound;
+            counts_.cutBound += filterWeight_ * visible * scene_.radianceBound;
             return 0.0;
         }
         ++counts_.rays.shadow;

@@ -127,6 +127,7 @@ class Tracer {
     TraceCounts& counts_;
     Sampler sampler_;
     std::uint64_t raysLeft_ = 0;
+    double filterWeight_ = 1.0;  ///< of the sample, without its sign
     std::vector<Path> pending_;
     /// The crossings at the last hit: one, or several where surfaces coincide.
     std::vector<SceneHit> together_;

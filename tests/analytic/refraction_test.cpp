@@ -223,3 +223,28 @@ TEST_CASE("glass of index 1 and no colour of its own cannot be seen") {
     }
     CHECK(largest < 1e-12);
 }
+
+TEST_CASE("over all angles there is one jump from the sky to total reflection") {
+    for (const double index : {1.05, 1.33, 1.5, 2.4}) {
+        CAPTURE(index);
+        int jumps = 0;
+        bool sky = true;
+        for (double degrees = 0.0; degrees < 89.5; degrees += 0.05) {
+            const double angle = degrees * kPi / 180.0;
+            Shot shot;
+            shot.body = "gr.background({1, 1, 1})\n" +
+                        place("gr.nh_box('sea', {-9000, -9000, -10}, {18000, 18000, 10})", 0.0,
+                              glassCall(index)) +
+                        place("gr.nh_box('floor', {-8000, -8000, -9}, {16000, 16000, 1})", 0.0);
+            shot.eye = {0.0, 0.0, -4.0};
+            shot.view = {std::sin(angle), 0.0, std::cos(angle)};
+            const bool seen = grey(shot) > 0.5;
+            if (seen == sky) continue;
+            ++jumps;
+            sky = seen;
+            CHECK(std::fabs(angle - std::asin(1.0 / index)) < 0.05 * kPi / 180.0);
+        }
+        CHECK(jumps == 1);
+        CHECK(!sky);
+    }
+}

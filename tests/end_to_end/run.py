@@ -3,9 +3,10 @@
 
 PROJECT is the executable. --only threads runs what the thread sanitizer should see.
 """
-import json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+import glob, json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
 
 PROJECT = ""
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 BALL = """
 local root = gr.node('root')
@@ -202,6 +203,43 @@ class Rendering(EndToEnd):
         self.assertIn(b"Left out", done.stderr)
         self.assertIn(b"no object has set_refraction", done.stderr)
 
+    # What a scene may use, by the name that --stats gives it, and what is left out without it.
+    FEATURES = {
+        "secondary rays": "secondary rays and the path stack", "reflection": "mirror rays",
+        "refraction": "media around each ray, and Fresnel terms",
+        "transparent shadows": "shadow rays that walk through glass",
+        "textures and bump maps": "texture look-ups and tangents", "area lights": "light samples",
+        "lens": "lens samples", "meshes": "mesh trees and normal interpolation",
+        "background image": "background image look-ups", "lights": "shadow rays",
+    }
+    USES = {
+        "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
+        "refraction": ("ball:set_refraction(1.5, 0)", ["secondary rays", "transparent shadows"]),
+        "textures and bump maps": ("root:add_child(gr.sphere('b'), nil, gr.texture('white.png', {0, 0, 0}, 1))", []),
+        "area lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0}, 1)", ["lights"]),
+        "lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0})", []),
+        "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
+        "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
+        "background image": ("gr.background('white.png')", []),
+    }
+
+    def test_each_feature_is_used_or_said_to_be_left_out(self):
+        self.write("sky.lua", "gr.background({1, 1, 1})\n"
+                   "gr.render(gr.node('n'), 'white.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.run_project("sky.lua", "-q", "--spp", "1")
+        for name, (call, others) in [("none", ("", [])), *self.USES.items()]:
+            self.write("uses.lua", "root, ball, lights = gr.node('r'), gr.sphere('ball'), {}\n"
+                       "white = gr.material({1,1,1}, {0,0,0}, 1)\nroot:add_child(ball, white)\n" + call + "\n"
+                       "gr.render(root, 'x.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, lights, focal)")
+            done = self.run_project("uses.lua", "--explain", "--spp", "1", "--stats", "stats.json")
+            render = json.loads(self.read("stats.json"))["renders"][0]
+            used = {name, *others} - {"none"}
+            self.assertEqual(set(render["features"]), used)
+            left_out = {what for feature, what in self.FEATURES.items() if feature not in used}
+            self.assertEqual({skipped["what"] for skipped in render["skipped"]}, left_out)
+            for what in left_out:
+                self.assertIn(b"Left out: " + what.encode() + b", because ", done.stderr)
+
     def test_check_renders_nothing(self):
         self.write("scene.lua", BALL)
         self.run_project("scene.lua", "--check")
@@ -264,6 +302,40 @@ class Rendering(EndToEnd):
         self.write("scene.lua", BALL.replace("{0.8, 0.8, 0.8}, {1, 0, 0}", "{1e308, 1e308, 1e308}, {1e-300, 0, 0}"))
         done = self.run_project("scene.lua")
         self.assertIn(b"not finite", done.stderr)
+
+
+class Scenes(EndToEnd):
+    """The project's own scenes: no warning, and the one that has everything against the slow truth."""
+
+    def test_every_scene_and_example_renders_without_a_warning(self):
+        scenes = glob.glob(os.path.join(TOP, "scenes", "*.lua"))
+        examples = glob.glob(os.path.join(TOP, "Documentation", "examples", "*.lua"))
+        self.assertGreater(len(scenes), 15)
+        self.assertGreater(len(examples), 25)
+        for scene in scenes + examples:
+            if os.path.basename(scene) == "stage.lua":
+                continue
+            with self.subTest(scene):
+                # The examples find what they show in the assets of the folder that they are run in.
+                done = subprocess.run([PROJECT, scene, "-q", "--werror", "--size", "32x18", "--spp", "1",
+                                       "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_the_scene_with_everything_is_the_slow_truth_but_for_what_was_cut(self):
+        scene = os.path.join(TOP, "scenes", "everything.lua")
+        common = [scene, "-q", "--size", "48x27", "--spp", "16"]
+        self.run_project(*common, "--stats", "stats.json", "-o", "fast.pfm")
+        self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
+        render = json.loads(self.read("stats.json"))["renders"][0]
+        for feature in ("reflection refraction lens meshes lights".split() +
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows"]):
+            self.assertIn(feature, render["features"])
+        self.assertEqual(render["skipped"], [])
+        (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))
+        # Prefiltered textures may be off by a third of the default error.
+        off = [max(abs(a - b) for a, b in zip(p, q)) for row, other in zip(fast, truth) for p, q in zip(row, other)]
+        self.assertLessEqual(sum(off) / len(off), render["cut_error_bound"] + 1e-3)
+        self.assertLess(render["cut_error_bound"], 1e-2)
 
 
 class Failures(EndToEnd):
@@ -364,7 +436,7 @@ def main():
     global PROJECT
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Failures]
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

@@ -88,7 +88,8 @@ struct RenderScene {
     int width = 0;
     int height = 0;
     unsigned features = 0;
-    /// No path can bring more than this in any channel; infinity where there is no bound.
+    /// Values of paths differ by no more than this in any channel; infinity where there is no
+    /// bound.
     double radianceBound = kInfinity;
     /// World bounds of the refracting solids, which may contain the lens.
     Bounds refractingBounds;
