@@ -32,10 +32,11 @@ AREA = [(OFF, "3/0 5/0 5/1 9/1"), ("+AM1 +R2 +A0.3", "5/0"), ("+AM1 +R3 +A0.3", 
 POINT = [OFF, "+AM1 +R2 +A0.3", "+AM1 +R3 +A0.3", "+AM1 +R3 +A0.1", "+AM1 +R4 +A0.1", "+AM1 +R5 +A0.1",
          "+AM2 +R2 +A0.3", "+AM2 +R2 +A0.1", "+AM2 +R3 +A0.3", "+AM2 +R3 +A0.1", "+AM2 +R3 +A0.1 -J", "+AM2 +R3 +A0.03", "+AM2 +R4 +A0.1",
          "+AM2 +R4 +A0.1 -J", "+AM2 +R4 +A0.03", "+AM2 +R5 +A0.1", "+AM2 +R5 +A0.03", "+AM2 +R6 +A0.03"]
-# most samples, fewest, variance, confidence
+# most samples, fewest, variance, confidence; lights of 2x2 stay at an RMSE of 0.009 in S3
 BLUR = [(10, 0, 1 / 128, 0.9), (20, 0, 1 / 128, 0.9), (50, 0, 1 / 128, 0.9), (50, 0, 1e-3, 0.9), (100, 0, 1e-3, 0.9),
-        (100, 0, 1e-4, 0.9), (200, 0, 1e-4, 0.9), (400, 0, 1e-4, 0.9), (400, 0, 1e-5, 0.9), (100, 0, 0, 0.9),
-        (200, 0, 0, 0.9), (400, 0, 0, 0.9), (800, 0, 1e-5, 0.9), (100, 20, 1e-4, 0.9), (400, 20, 1e-5, 0.9)]
+        (100, 0, 1e-4, 0.9), (100, 20, 1e-4, 0.9), (200, 0, 1e-4, 0.9), (200, 0, 1e-5, 0.9), (400, 0, 1e-5, 0.9)]
+LENS = [(OFF, "3/0 5/0", BLUR), (OFF, "9/0", BLUR[-3:]), ("+AM2 +R2 +A0.3", "3/0 5/0", BLUR[:3]),
+        ("+AM2 +R2 +A0.1", "3/0 5/0", BLUR[:3]), ("+AM1 +R2 +A0.1", "3/0", BLUR[:2])]
 
 
 def settings(scene):
@@ -44,8 +45,7 @@ def settings(scene):
     if scene["camera"]["lens_radius"] > 0:
         return {"%s blur %d/%d/%.3g/%g light %s" % (aa, *blur, l): [
             *aa.split(), *lamp(l), *declare(BS=blur[0], BSMIN=blur[1], BVAR=blur[2], BCONF=blur[3])]
-            for aa, lights, blurs in ((OFF, "2/- 3/0 5/0", BLUR), ("+AM2 +R2 +A0.3", "3/0", BLUR[:4]),
-                                      ("+AM2 +R2 +A0.1", "3/0", BLUR[:3]))
+            for aa, lights, blurs in LENS
             for l in lights.split() for blur in blurs}
     if area:
         return {"%s light %s" % (aa, l): [*aa.split(), *lamp(l)] for aa, lights in AREA for l in lights.split()}
@@ -64,7 +64,7 @@ def shoot(folder, name, size, options, nice=0):
 def finest(scene):
     """options of a converged picture; it is rendered larger and averaged over squares of pixels"""
     if scene["camera"]["lens_radius"] > 0:
-        return [OFF, *lamp("5/0"), *declare(BS=61, BVAR=0, BCONF=0.9)]
+        return [OFF, *lamp("9/0"), *declare(BS=61, BVAR=0, BCONF=0.9)]
     if any(l["radius"] > 0 for l in scene["lights"]):
         return [*"+AM2 +R3 +A0.01".split(), *lamp("17/2")]
     return "+AM1 +R4 +A0.0".split()

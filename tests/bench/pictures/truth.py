@@ -4,7 +4,7 @@ Two renderings with --reference and different seeds, A and B, of the same number
 independent, so the mean of the two has an error whose mean square is that of (A - B) / 2. The picture is cut into
 blocks; samples go where this says that they help most, until the error of the whole is as small as asked.
 """
-import json, os
+import os
 import numpy as np
 from . import runs
 
