@@ -9,11 +9,14 @@ struct ShadePoint {
     Vec3 position{0.0};
     Vec3 geometricNormal{0.0};  ///< unit, towards the viewer
     Vec3 normal{0.0};           ///< shading normal, unit, in the geometric normal's hemisphere
-    Vec3 shadowOrigin{0.0};     ///< where shadow rays start; off `position` on smooth meshes only
+    Vec3 shadowOrigin{0.0};     ///< off `position` on smooth meshes only: on the rounded surface
     /// Secondary rays start this far off the surface: more than the error of `position`.
     double clearance = 0.0;
     bool fromInside = false;  ///< the ray came from where the surface's own normal does not point
     Material material;        ///< with the texture's colour put in
+
+    /// Whether this is a facet that stands for a rounded surface.
+    bool isRounded() const { return shadowOrigin != position; }
 
     /// Start of a ray that leaves in direction w from `from`, on w's side of the surface.
     Vec3 leave(const Vec3& from, const Vec3& w) const {

@@ -248,8 +248,29 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     }
     const Color local = lightAlong(w, light, *view, path, point);
     if (local == Color(0.0)) return local;
-    const Ray ray{point.leave(point.shadowOrigin, w), w};
-    return visibility(ray, view->reach(w), path.media) * local;
+    return visibilityOf(w, view->reach(w), path.media, point, nullptr) * local;
+}
+
+/// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing
+/// stands between the point and there: no light comes from beyond something else. What blocks is
+/// among `occluders`, where these are known.
+template <unsigned Features>
+double Tracer<Features>::visibilityOf(const Vec3& w, double reach, const MediumSet& media,
+                                      const ShadePoint& point, const Occluders* occluders) {
+    const auto seen = [&](const Vec3& from) {
+        const Ray ray{point.leave(from, w), w};
+        return occluders ? visibilityPast(*occluders, ray, reach, media)
+                         : visibility(ray, reach, media);
+    };
+    const double visible = seen(point.position);
+    if (visible > 0.0 || !point.isRounded()) return visible;
+    const double rounded = seen(point.shadowOrigin);
+    if (rounded == 0.0) return 0.0;
+    const Vec3 lift = point.shadowOrigin - point.position;
+    const double height = glm::length(lift);
+    ++counts_.rays.shadow;
+    const Ray up{point.leave(point.position, point.geometricNormal), lift / height};
+    return anyHit(scene_, up, {0.0, height}) ? 0.0 : rounded;
 }
 
 /// What light from direction w would bring, with nothing in its way.

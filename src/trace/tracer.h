@@ -104,6 +104,8 @@ class Tracer {
                     const ShadePoint& point, ProbeSum& sum);
     double probeOccluded(Index light, const LightView& view, const Occluders& occluders,
                          const Path& path, double own, const ShadePoint& point, ProbeSum& sum);
+    double visibilityOf(const Vec3& w, double reach, const MediumSet& media,
+                        const ShadePoint& point, const Occluders* occluders);
     double visibilityPast(const Occluders& occluders, const Ray& ray, double reach,
                           const MediumSet& media);
     double footprint(const Path& path, const ShadePoint& point) const;

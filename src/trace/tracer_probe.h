@@ -112,8 +112,9 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
     const bool behind =
         horizon == LightHorizon::kAbove && !point.fromInside &&
         liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);
+    const double lift = point.isRounded() ? glm::length(point.shadowOrigin - point.position) : 0.0;
     const Occluders occluders =
-        occludersIn(scene_, {point.shadowOrigin, margin, light.position, light.radius},
+        occludersIn(scene_, {point.position, margin + lift, light.position, light.radius},
                     behind ? hit.instance : kNone);
     if (occluders.none()) {
         if (const std::optional<Color> mean = unoccludedMean(
@@ -130,9 +131,10 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
         const double cosA = 1.0 - view->oneMinusCos;
         const double tanA = std::sqrt(view->oneMinusCos * (1.0 + cosA)) / cosA;
-        const Vec3 from = point.leave(point.shadowOrigin, view->axis);
-        if (cosA > 0.0 && oneHidesCone(scene_, occluders, from, view->axis, tanA,
-                                       (view->distance - light.radius) * (1.0 - kCoincidence))) {
+        const Vec3 from = point.leave(point.position, view->axis);
+        if (cosA > 0.0 && !point.isRounded() &&
+            oneHidesCone(scene_, occluders, from, view->axis, tanA,
+                         (view->distance - light.radius) * (1.0 - kCoincidence))) {
             sum.evidence->dark |= bit;
             return;
         }
@@ -160,8 +162,7 @@ double Tracer<Features>::probeOccluded(Index index, const LightView& view,
         }
         const Color local = lightAlong(w, light, view, path, point);
         if (local == Color(0.0)) continue;
-        const Ray ray{point.leave(point.shadowOrigin, w), w};
-        visible = visibilityPast(occluders, ray, view.reach(w), path.media);
+        visible = visibilityOf(w, view.reach(w), path.media, point, &occluders);
         const Color value = path.weight * own * visible * local;
         if (view.isPoint()) {
             sum.addToAll(value);
