@@ -175,19 +175,26 @@ Subject makeSubject(const std::string& name) {
     throw std::invalid_argument("unknown mesh " + name + "; there are 20k, 500k, 4M, room");
 }
 
-/// Median Mrays/s of several tracers, taken in turn.
-std::vector<double> race(const std::vector<std::function<std::size_t()>>& tracers, std::size_t rays,
-                         int rounds) {
-    std::vector<std::vector<double>> seconds(tracers.size());
+/// Seconds of several tracers, taken in turn: [tracer][round].
+using Times = std::vector<std::vector<double>>;
+
+Times race(const std::vector<std::function<std::size_t()>>& tracers, int rounds) {
+    Times seconds(tracers.size());
     for (int round = -1; round < rounds; ++round) {
         for (std::size_t i = 0; i < tracers.size(); ++i) {
             const double s = threadSecondsOf(tracers[i]);
             if (round >= 0) seconds[i].push_back(s);
         }
     }
-    std::vector<double> rates;
-    for (const auto& s : seconds) rates.push_back(double(rays) / median(s) / 1e6);
-    return rates;
+    return seconds;
+}
+
+/// How many times as fast `one` is as `other`: the median over rounds, whose times were taken
+/// one right after the other.
+double timesAsFast(const std::vector<double>& one, const std::vector<double>& other) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < one.size(); ++i) ratios.push_back(other[i] / one[i]);
+    return median(ratios);
 }
 
 /// Embree's four scenes of a mesh: robust and fast, at two qualities.
@@ -230,28 +237,32 @@ nlohmann::json benchRays(const RaySet& set, const MeshTree& tree, const EmbreeSc
         tracers.push_back([&, kernel] { return traceSingly(kernel->mesh, tree, set); });
         tracers.push_back([&, kernel] { return traceInPackets(kernel->mesh, tree, set); });
     }
-    const std::vector<double> rates = race(tracers, set.rays.size(), rounds);
-    const double robust = std::max(rates[0], rates[1]), fast = std::max(rates[2], rates[3]);
-    fmt::print("  {:<11}{:>7.2f}{:>7.2f}", set.name, robust, fast);
+    const Times seconds = race(tracers, rounds);
+    const auto rate = [&](std::size_t tracer) {
+        return double(set.rays.size()) / median(seconds[tracer]) / 1e6;
+    };
+    const std::size_t robust = rate(0) > rate(1) ? 0 : 1, fast = rate(2) > rate(3) ? 2 : 3;
+    fmt::print("  {:<11}{:>7.2f}{:>7.2f}", set.name, rate(robust), rate(fast));
     nlohmann::json result{{"rays", set.rays.size()},
                           {"hits", tracers.back()()},
                           {"embreeHits", tracers.front()()},
-                          {"embreeRobust", robust},
-                          {"embreeFast", fast}};
+                          {"embreeRobust", rate(robust)},
+                          {"embreeFast", rate(fast)}};
     for (std::size_t i = 0; i < kernels.size(); ++i) {
-        const double single = rates[4 + 2 * i], packets = rates[5 + 2 * i];
+        const std::size_t single = 4 + 2 * i, packets = 5 + 2 * i;
+        const double toRobust = timesAsFast(seconds[single], seconds[robust]);
+        const double toFast = timesAsFast(seconds[single], seconds[fast]);
+        const double packetsToRobust = timesAsFast(seconds[packets], seconds[robust]);
         Score& score = scores[i];
-        score.robust.add(single / robust);
-        score.fast.add(single / fast);
-        if (set.name == "primary" || set.name == "shadow") score.packets.add(packets / robust);
-        fmt::print(" |{:>7.2f}{:>6.2f}{:>6.2f} {:>7.2f}{:>6.2f}", single, single / robust,
-                   single / fast, packets, packets / robust);
-        result[kernels[i]->name] = {{"single", single},
-                                    {"nsPerRay", 1e3 / single},
-                                    {"toRobust", single / robust},
-                                    {"toFast", single / fast},
-                                    {"packets", packets},
-                                    {"packetsToRobust", packets / robust}};
+        score.robust.add(toRobust);
+        score.fast.add(toFast);
+        if (set.name == "primary" || set.name == "shadow") score.packets.add(packetsToRobust);
+        fmt::print(" |{:>7.2f}{:>6.2f}{:>6.2f} {:>7.2f}{:>6.2f}", rate(single), toRobust, toFast,
+                   rate(packets), packetsToRobust);
+        result[kernels[i]->name] = {
+            {"single", rate(single)},   {"nsPerRay", 1e3 / rate(single)},
+            {"toRobust", toRobust},     {"toFast", toFast},
+            {"packets", rate(packets)}, {"packetsToRobust", packetsToRobust}};
     }
     fmt::print("   {} / {}\n", tracers.back()(), tracers.front()());
     std::fflush(stdout);
@@ -339,7 +350,7 @@ nlohmann::json benchTriangle(int rounds) {
         }
         return hits;
     };
-    const std::vector<double> both =
+    const Times both =
         race({[&] {
                   return each([](const Ray& ray) { return TriangleRay(ray); },
                               [](const TriangleRay& ray, const Vec3& a, const Vec3& b,
@@ -348,11 +359,13 @@ nlohmann::json benchTriangle(int rounds) {
                               });
               },
               [&] { return each([](const Ray& ray) { return ray; }, moellerTrumbore); }},
-             rays.size() * triangles.size(), rounds);
+             rounds);
+    const double tests = double(rays.size() * triangles.size());
+    const double ours = 1e9 * median(both[0]) / tests, theirs = 1e9 * median(both[1]) / tests;
     fmt::print(
         "\none triangle, scalar: {:.2f} ns; Moeller-Trumbore in double {:.2f} ns; ratio {:.2f}\n",
-        1e3 / both[0], 1e3 / both[1], both[1] / both[0]);
-    return {{"ns", 1e3 / both[0]}, {"moellerTrumboreNs", 1e3 / both[1]}};
+        ours, theirs, 1.0 / timesAsFast(both[0], both[1]));
+    return {{"ns", ours}, {"moellerTrumboreNs", theirs}};
 }
 
 Settings parse(int count, char** arguments) {
