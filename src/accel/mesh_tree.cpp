@@ -18,13 +18,13 @@ void visitBlocks(const WideTree& tree, const LargeArray<TriangleBlock>& blocks, 
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return;
     LeafWalk walk(tree, boxRay, blocks.data(), sizeof(TriangleBlock));
     walk.run(
-        boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
+        boxRay.tau.below(range.min), boxRay.tau.above(range.max),
         [&](ChildRef leaf, float& tauMax) __attribute__((always_inline)) {
             const double before = range.max;
             for (std::uint32_t k = 0; k < leaf.count(); ++k) {
                 if (visit(blocks[leaf.first() + k])) return true;
             }
-            if (range.max < before) tauMax = boxRay.tauAbove(range.max);
+            if (range.max < before) tauMax = boxRay.tau.above(range.max);
             return false;
         });
 }

@@ -28,7 +28,16 @@ class PacketWalk {
         : tree_(tree), blocks_(blocks), query_(query) {}
 
     void run(std::span<const Ray> rays, std::span<const Interval> ranges) {
-        unsigned left = packet_.set(tree_.frame(), rays, ranges);
+        unsigned odd;
+        unsigned left = packet_.set(tree_.frame(), rays, ranges, odd);
+        for (; odd != 0; odd &= odd - 1) {
+            const auto ray = static_cast<std::size_t>(std::countr_zero(odd));
+            BoxRay boxRay;
+            if (BoxRay::make(tree_.frame(), rays[ray], boxRay)) {
+                walkAlone(ChildRef::node(0), static_cast<int>(ray), boxRay,
+                          boxRay.tau.below(ranges[ray].min));
+            }
+        }
         while (left != 0) {
             const unsigned group = packet_.alike(left);
             alive_ = group;
@@ -51,10 +60,10 @@ class PacketWalk {
         std::uint32_t current = ChildRef::node(0).bits();
         for (;;) {
             const ChildRef child = ChildRef::fromBits(current);
-            if (std::popcount(rays) <= kFewRays)
-                walkSingly(child, rays);
-            else if (child.isLeaf())
+            if (child.isLeaf())
                 visitLeaf(child, rays);
+            else if (std::popcount(rays) <= kFewRays)
+                walkSingly(child, rays);
             else
                 size = pushChildren(frustum, tree_.nodes()[child.nodeIndex()], rays, size);
             do {
@@ -108,30 +117,33 @@ class PacketWalk {
     void walkSingly(ChildRef from, unsigned rays) {
         for (; rays != 0; rays &= rays - 1) {
             const int ray = std::countr_zero(rays);
-            const BoxRay& boxRay = packet_.boxRays[ray];
-            LeafWalk walk(tree_, boxRay, blocks_.data(), sizeof(TriangleBlock));
             const double before = query_.rangeMax(ray);
-            walk.run(
-                packet_.tauMin[ray], packet_.tauMax[ray],
-                [&](ChildRef leaf, float& tauMax) __attribute__((always_inline)) {
-                    const double max = query_.rangeMax(ray);
-                    for (std::uint32_t k = 0; k < leaf.count(); ++k) {
-                        if (!query_.visit(ray, blocks_[leaf.first() + k])) continue;
-                        alive_ &= ~(1u << ray);
-                        return true;
-                    }
-                    if (query_.rangeMax(ray) < max) tauMax = boxRay.tauAbove(query_.rangeMax(ray));
-                    return false;
-                },
-                from);
+            walkAlone(from, ray, packet_.single(ray), packet_.tauMin[ray]);
             takeEnd(ray, before);
         }
+    }
+
+    void walkAlone(ChildRef from, int ray, const BoxRay& boxRay, float tauMin) {
+        LeafWalk walk(tree_, boxRay, blocks_.data(), sizeof(TriangleBlock));
+        walk.run(
+            tauMin, boxRay.tau.above(query_.rangeMax(ray)),
+            [&](ChildRef leaf, float& tauMax) __attribute__((always_inline)) {
+                const double before = query_.rangeMax(ray);
+                for (std::uint32_t k = 0; k < leaf.count(); ++k) {
+                    if (!query_.visit(ray, blocks_[leaf.first() + k])) continue;
+                    alive_ &= ~(1u << ray);
+                    return true;
+                }
+                if (query_.rangeMax(ray) < before) tauMax = boxRay.tau.above(query_.rangeMax(ray));
+                return false;
+            },
+            from);
     }
 
     bool takeEnd(int ray, double before) {
         const double now = query_.rangeMax(ray);
         if (!(now < before)) return false;
-        packet_.tauMax[ray] = packet_.boxRays[ray].tauAbove(now);
+        packet_.endAt(ray, now);
         return true;
     }
 
@@ -151,32 +163,32 @@ class PacketWalk {
     unsigned rays_[kStackSize];
 };
 
-/// Tests that one ray of a packet brings to the blocks.
+/// What the rays of a packet bring to the blocks.
 class PacketRays {
   public:
     PacketRays(std::span<const Ray> rays, std::span<const Interval> ranges) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            rays_[i] = TriangleRay(rays[i]);
+            triangleRays_[i] = TriangleRay(rays[i]);
             ranges_[i] = ranges[i];
         }
     }
+    double rangeMax(int ray) const { return ranges_[ray].max; }
 
   protected:
-    TriangleRay rays_[packet::kRays];
+    TriangleRay triangleRays_[packet::kRays];
     Interval ranges_[packet::kRays];
 };
 
-class ClosestQuery : PacketRays {
+class ClosestQuery : public PacketRays {
   public:
     ClosestQuery(std::span<const Ray> rays, std::span<const Interval> ranges)
         : PacketRays(rays, ranges) {
         for (std::size_t i = 0; i < rays.size(); ++i) nearest_[i] = NearestInBlocks(ranges[i]);
     }
     [[gnu::always_inline]] bool visit(int ray, const TriangleBlock& block) {
-        BlockTester(rays_[ray]).nearest(block, ranges_[ray], nearest_[ray]);
+        BlockTester(triangleRays_[ray]).nearest(block, ranges_[ray], nearest_[ray]);
         return false;
     }
-    double rangeMax(int ray) const { return ranges_[ray].max; }
     void take(std::span<PrimitiveHit> hits) const {
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (!nearest_[i].take(hits[i])) hits[i] = {.part = kNone};
@@ -187,16 +199,15 @@ class ClosestQuery : PacketRays {
     NearestInBlocks nearest_[packet::kRays];
 };
 
-class AnyQuery : PacketRays {
+class AnyQuery : public PacketRays {
   public:
     AnyQuery(std::span<const Ray> rays, std::span<const Interval> ranges)
         : PacketRays(rays, ranges) {}
     [[gnu::always_inline]] bool visit(int ray, const TriangleBlock& block) {
-        const bool found = BlockTester(rays_[ray]).any(block, ranges_[ray]);
+        const bool found = BlockTester(triangleRays_[ray]).any(block, ranges_[ray]);
         met_ |= (found ? 1u : 0u) << ray;
         return found;
     }
-    double rangeMax(int ray) const { return ranges_[ray].max; }
     void take(std::span<bool> met) const {
         for (std::size_t i = 0; i < met.size(); ++i) met[i] = (met_ >> i & 1) != 0;
     }

@@ -6,7 +6,12 @@
 
 #if defined(__AVX2__)
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <span>
 
 namespace rt {
@@ -14,41 +19,36 @@ namespace rt {
 /// The slab test (box_test.h), one lane a ray.
 class RayPacket {
   public:
-    /// The rays that may meet the tree, one bit each.
+    /// BoxRay::make, four rays at a time. Returns the rays that may meet the tree, one bit each;
+    /// `odd` gets those whose directions are so long, short or broken that make has to see to them.
     unsigned set(const TreeFrame& frame, std::span<const Ray> rays,
-                 std::span<const Interval> ranges) {
-        unsigned usable = 0;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!BoxRay::make(frame, rays[i], boxRays[i])) continue;
-            usable |= 1u << i;
-            const BoxRay& ray = boxRays[i];
-            for (int axis = 0; axis < 3; ++axis) {
-                reciprocal[axis][i] = ray.reciprocal[axis];
-                nearShift[axis][i] = ray.nearShift[axis];
-                farShift[axis][i] = ray.farShift[axis];
-                nearOrigin[axis][i] = ray.nearOrigin[axis];
-                farOrigin[axis][i] = ray.farOrigin[axis];
-            }
-            tauMin[i] = ray.tauBelow(ranges[i].min);
-            tauMax[i] = ray.tauAbove(ranges[i].max);
+                 std::span<const Interval> ranges, unsigned& odd);
+
+    /// Ray `i` by itself.
+    BoxRay single(int i) const {
+        BoxRay ray;
+        for (int axis = 0; axis < 3; ++axis) {
+            ray.reciprocal[axis] = reciprocal[axis][i];
+            ray.nearShift[axis] = nearShift[axis][i];
+            ray.farShift[axis] = farShift[axis][i];
+            const int backwards = reciprocal[axis][i] < 0.0f ? 1 : 0;
+            ray.nearPlane[axis] = 2 * axis + backwards;
+            ray.farPlane[axis] = 2 * axis + 1 - backwards;
         }
-        return usable;
+        ray.tau = {rate_[i], start_[i], startSlack_[i]};
+        return ray;
+    }
+    void endAt(int i, double t) {
+        tauMax[i] = TauOfT{rate_[i], start_[i], startSlack_[i]}.above(t);
     }
 
     /// Of `rays`, those whose directions have the same signs as the first one's.
     unsigned alike(unsigned rays) const {
-        const auto signs = [&](int ray) {
-            return std::bit_cast<std::uint32_t>(reciprocal[0][ray]) >> 31 |
-                   std::bit_cast<std::uint32_t>(reciprocal[1][ray]) >> 31 << 1 |
-                   std::bit_cast<std::uint32_t>(reciprocal[2][ray]) >> 31 << 2;
-        };
-        const std::uint32_t first = signs(std::countr_zero(rays));
-        unsigned result = 0;
-        for (unsigned left = rays; left != 0; left &= left - 1) {
-            const int ray = std::countr_zero(left);
-            result |= (signs(ray) == first ? 1u : 0u) << ray;
+        const int first = std::countr_zero(rays);
+        for (const unsigned negative : backwards_) {
+            rays &= (negative >> first & 1) != 0 ? negative : ~negative;
         }
-        return result;
+        return rays;
     }
 
     /// The rays of one octant that meet box `lane` of the node; where each enters goes to `entry`.
@@ -95,8 +95,148 @@ class RayPacket {
     alignas(64) float farShift[3][packet::kRays] = {};
     alignas(64) float nearOrigin[3][packet::kRays] = {};
     alignas(64) float farOrigin[3][packet::kRays] = {};
-    BoxRay boxRays[packet::kRays];
+
+  private:
+    using Four = double __attribute__((vector_size(32)));
+    using Bits = std::int64_t __attribute__((vector_size(32)));
+    using Floats = float __attribute__((vector_size(16)));
+
+    static Four absolute(Four a) {
+        return (Four)((Bits)a & std::numeric_limits<std::int64_t>::max());
+    }
+    static Four greater(Four a, Four b) { return a > b ? a : b; }
+    static void put(float* to, Four values) {
+        const Floats rounded = __builtin_convertvector(values, Floats);
+        std::memcpy(to, &rounded, sizeof rounded);
+    }
+    static Four squareRoot(Four a) {
+        for (int i = 0; i < kFour; ++i) a[i] = std::sqrt(a[i]);
+        return a;
+    }
+    static unsigned bitsOf(Bits lanes) {
+        unsigned bits = 0;
+        for (int i = 0; i < kFour; ++i) bits |= (lanes[i] != 0 ? 1u : 0u) << i;
+        return bits;
+    }
+    struct Group;
+    void setGroup(const TreeFrame& frame, Group& group, int at);
+    static void approach(Group& group);
+    void setAxes(const Group& group, int at);
+
+    static constexpr int kFour = 4;
+
+    unsigned backwards_[3] = {};  ///< rays that go down an axis, one bit each
+    alignas(64) double rate_[packet::kRays];
+    alignas(64) double start_[packet::kRays];
+    alignas(64) double startSlack_[packet::kRays];
 };
+
+/// Four rays on their way into the frame.
+struct RayPacket::Group {
+    Four origin[3], direction[3];
+    Four min, max;  ///< of their ranges
+    Four away, pad, start, startSlack, rate;
+    Bits usable, odd;
+};
+
+inline unsigned RayPacket::set(const TreeFrame& frame, std::span<const Ray> rays,
+                               std::span<const Interval> ranges, unsigned& odd) {
+    unsigned usable = 0;
+    odd = 0;
+    const int count = static_cast<int>(rays.size());
+    for (int at = 0; at < count; at += kFour) {
+        Group group;
+        for (int i = 0; i < kFour; ++i) {
+            const auto from = static_cast<std::size_t>(std::min(at + i, count - 1));
+            for (int axis = 0; axis < 3; ++axis) {
+                group.origin[axis][i] = rays[from].origin[axis];
+                group.direction[axis][i] = rays[from].direction[axis];
+            }
+            group.min[i] = ranges[from].min;
+            group.max[i] = ranges[from].max;
+        }
+        setGroup(frame, group, at);
+        usable |= bitsOf(group.usable) << at;
+        odd |= bitsOf(group.odd) << at;
+    }
+    const unsigned all = (1u << count) - 1;
+    odd &= all;
+    return usable & all;
+}
+
+inline void RayPacket::setGroup(const TreeFrame& frame, Group& group, int at) {
+    Four* const d = group.direction;
+    Four* const o = group.origin;
+    const Four longest = greater(greater(absolute(d[0]), absolute(d[1])), absolute(d[2]));
+    const Four sum = absolute(d[0] + d[1] + d[2]);
+    group.odd = ~((longest > 0x1p-500) & (longest < 0x1p500) & (sum < kInfinity));
+    constexpr std::int64_t kExponentBits = std::int64_t{0x7ff} << 52;
+    const Bits power = (Bits)longest & kExponentBits;
+    group.rate = frame.scale * (Four)power;
+    const Four inverse = (Four)((std::int64_t{0x7fe} << 52) - power);
+    for (int axis = 0; axis < 3; ++axis) {
+        d[axis] *= inverse;
+        o[axis] = (o[axis] - frame.centre[axis]) * frame.scale;
+    }
+    group.away = greater(greater(absolute(o[0]), absolute(o[1])), absolute(o[2]));
+    const Four originSum = absolute(o[0] + o[1] + o[2]);
+    group.odd |= ~((group.rate > 0.0) & (group.rate < kInfinity) & (originSum < kInfinity));
+    group.pad =
+        kBoxPad + kOriginRounding * (group.away + longestComponent(frame.centre) * frame.scale);
+    group.start = Four{};
+    group.startSlack = Four{} + kFloatRounding;
+    group.usable = ~group.odd;
+    if (bitsOf(group.away > 2.0) != 0) approach(group);
+    std::memcpy(rate_ + at, &group.rate, sizeof group.rate);
+    std::memcpy(start_ + at, &group.start, sizeof group.start);
+    std::memcpy(startSlack_ + at, &group.startSlack, sizeof group.startSlack);
+    setAxes(group, at);
+}
+
+inline void RayPacket::approach(Group& group) {
+    Four* const d = group.direction;
+    Four* const o = group.origin;
+    const Bits far = group.away > 2.0;
+    const Four reach = 2.0 + 2.0 * group.pad;
+    const Four squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    const Four foot = -(o[0] * d[0] + o[1] * d[1] + o[2] * d[2]) / squared;
+    Four nearest = Four{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Four at = o[axis] + foot * d[axis];
+        nearest += at * at;
+    }
+    group.usable &= ~far | (nearest < reach * reach);
+    group.start = far ? foot - reach / squareRoot(squared) : group.start;
+    group.startSlack += kOriginRounding * absolute(group.start);
+    for (int axis = 0; axis < 3; ++axis) o[axis] += group.start * d[axis];
+}
+
+inline void RayPacket::setAxes(const Group& group, int at) {
+    constexpr std::int64_t kSignBit = std::numeric_limits<std::int64_t>::min();
+    for (int axis = 0; axis < 3; ++axis) {
+        const Four d = group.direction[axis];
+        const Bits sign = (Bits)d & kSignBit;
+        const Four size = greater(absolute(d), Four{} + kLeastSlope);
+        const Four inverse = 1.0 / (Four)((Bits)size | sign);
+        const Four outward = (Four)((Bits)group.pad | sign);
+        const Four nearAt = group.origin[axis] + outward;
+        const Four farAt = group.origin[axis] - outward;
+        put(reciprocal[axis] + at, inverse);
+        put(nearShift[axis] + at, -nearAt * inverse);
+        put(farShift[axis] + at, -farAt * inverse);
+        put(nearOrigin[axis] + at, nearAt);
+        put(farOrigin[axis] + at, farAt);
+        backwards_[axis] |= bitsOf(sign) << at;
+    }
+    const auto tauOf = [&](Four t) {
+        const Four tau = t * group.rate - group.start;
+        const Four low = Four{} - TauOfT::kLimit, high = Four{} + TauOfT::kLimit;
+        return greater(low, tau < high ? tau : high);
+    };
+    const Four first = tauOf(group.min), last = tauOf(group.max);
+    put(tauMin + at, first - (group.startSlack + kFloatRounding * absolute(first)));
+    put(tauMax + at, last + (group.startSlack + kFloatRounding * absolute(last)));
+}
 
 /// Bounds of the rays of one octant: a box that it misses is missed by all of them. With o and r
 /// the origins and reciprocal slopes of an axis, (p - o) r is bilinear, so that its bounds lie at
@@ -105,13 +245,13 @@ class PacketFrustum {
   public:
     PacketFrustum(const RayPacket& bundle, unsigned rays) {
         using packet::greatest, packet::least;
-        const BoxRay& first = bundle.boxRays[std::countr_zero(rays)];
+        const int first = std::countr_zero(rays);
         for (int axis = 0; axis < 3; ++axis) {
-            nearPlane[axis] = first.nearPlane[axis];
-            farPlane[axis] = first.farPlane[axis];
             const float* const nears = bundle.nearOrigin[axis];
             const float* const fars = bundle.farOrigin[axis];
-            const bool backwards = first.reciprocal[axis] < 0.0f;
+            const bool backwards = bundle.reciprocal[axis][first] < 0.0f;
+            nearPlane[axis] = 2 * axis + (backwards ? 1 : 0);
+            farPlane[axis] = 2 * axis + (backwards ? 0 : 1);
             low_[axis] = _mm256_set1_ps(least(bundle.reciprocal[axis], rays));
             high_[axis] = _mm256_set1_ps(greatest(bundle.reciprocal[axis], rays));
             nearOrigin_[axis] =

@@ -21,6 +21,7 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshFileDesc& file,
     if (added) {
         MeshOptions options;
         options.smoothAngleDegrees = angle;
+        options.threads = threads_;
         entry->second = withTree(loadObj(file.path, options, diagnostics));
     }
     return entry->second;
@@ -35,6 +36,7 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
     if (added) {
         MeshOptions options;
         options.smoothAngleDegrees = angle;
+        options.threads = threads_;
         entry->second = withTree(meshFromPolygons(table.vertices, table.corners, table.faceSizes,
                                                   options, where, diagnostics));
     }

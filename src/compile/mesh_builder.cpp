@@ -2,6 +2,7 @@
 
 #include "rt/compile/mesh_normals.h"
 #include "rt/compile/mesh_topology.h"
+#include "rt/core/parallel.h"
 
 #include <algorithm>
 #include <utility>
@@ -44,13 +45,17 @@ std::size_t keepTriangles(TriangleMesh& mesh, Keep keep) {
     return count - kept;
 }
 
-std::vector<Vec3> faceNormalsOf(const TriangleMesh& mesh) {
-    std::vector<Vec3> normals(mesh.triangles.size());
-    for (std::size_t t = 0; t < normals.size(); ++t) {
-        const TriangleMesh::Corners& corner = mesh.triangles[t];
-        normals[t] = unitFaceNormal(mesh.positions[corner[0]], mesh.positions[corner[1]],
-                                    mesh.positions[corner[2]]);
-    }
+std::vector<Vec3> faceNormalsOf(const TriangleMesh& mesh, int threads) {
+    constexpr std::size_t kChunk = std::size_t{1} << 14;
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Vec3> normals(count);
+    forEachIndex((count + kChunk - 1) / kChunk, threads, [&](std::size_t chunk, int) {
+        const std::size_t end = std::min(count, (chunk + 1) * kChunk);
+        for (std::size_t t = chunk * kChunk; t < end; ++t) {
+            const auto& [a, b, c] = mesh.triangles[t];
+            normals[t] = unitFaceNormal(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+        }
+    });
     return normals;
 }
 
@@ -112,17 +117,17 @@ void MeshBuilder::normalizeGiven(TriangleMesh& mesh, const SourceLocation& where
                          " a normal of length zero; the face's own is used there");
 }
 
-void MeshBuilder::shape(TriangleMesh& mesh, double smoothAngle) const {
+void MeshBuilder::shape(TriangleMesh& mesh, const MeshOptions& options) const {
     std::vector<Index> merged = mergeEqualPositions(mesh.positions);
     keepTriangles(mesh, [&](std::size_t t) {
         const auto& [a, b, c] = mesh.triangles[t];
         return merged[a] != merged[b] && merged[b] != merged[c] && merged[c] != merged[a];
     });
-    const std::vector<Vec3> faceNormals = faceNormalsOf(mesh);
+    const std::vector<Vec3> faceNormals = faceNormalsOf(mesh, options.threads);
     {
         const MeshTopology topology(mesh.triangles, std::move(merged));
         mesh.closed = topology.isClosed(mesh.triangles);
-        smoothNormals(mesh, topology, faceNormals, smoothAngle);
+        smoothNormals(mesh, topology, faceNormals, options.smoothAngleDegrees, options.threads);
     }
     keepTriangles(mesh, [&](std::size_t t) { return faceNormals[t] != Vec3(0.0); });
 }
@@ -139,7 +144,7 @@ TriangleMesh MeshBuilder::finish(const MeshOptions& options, const SourceLocatio
     }
     const std::size_t all = mesh.triangles.size();
     normalizeGiven(mesh, where, diagnostics);
-    shape(mesh, options.smoothAngleDegrees);
+    shape(mesh, options);
     const std::size_t dropped = all - mesh.triangles.size();
     if (dropped > 0) {
         diagnostics.warn(

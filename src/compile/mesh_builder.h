@@ -38,7 +38,7 @@ class MeshBuilder {
     void addTriangle(const PolygonCorner& a, const PolygonCorner& b, const PolygonCorner& c);
     TriangleMesh release();
     void normalizeGiven(TriangleMesh& mesh, const SourceLocation& where, Diagnostics& diagnostics);
-    void shape(TriangleMesh& mesh, double smoothAngle) const;
+    void shape(TriangleMesh& mesh, const MeshOptions& options) const;
 
     std::vector<TriangleMesh::Corners> triangles_;
     std::vector<TriangleMesh::Corners> uvCorners_;      ///< empty until a face has one

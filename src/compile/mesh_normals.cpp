@@ -2,6 +2,7 @@
 
 #include "normal_tree.h"
 #include "rt/core/numeric.h"
+#include "rt/core/parallel.h"
 #include "rt/math/portable.h"
 
 #include <algorithm>
@@ -46,10 +47,16 @@ double length(const Vec3& v) {
 
 class VertexSmoother {
   public:
-    VertexSmoother(TriangleMesh& mesh, std::span<const Vec3> faceNormals, double cosLimit)
-        : mesh_(mesh), faceNormals_(faceNormals), cosLimit_(cosLimit) {}
+    VertexSmoother(TriangleMesh& mesh, std::span<const Vec3> faceNormals, double angleDegrees)
+        : mesh_(mesh),
+          faceNormals_(faceNormals),
+          cosLimit_(portable::cosDegrees(angleDegrees) - kUnitDotError),
+          cosHalf_(portable::cosDegrees(0.5 * angleDegrees) + 2.0 * kUnitDotError) {}
 
+    /// Gives the corners of one vertex their normals, numbered on from those of the mesh.
     void smooth(std::span<const Index> corners);
+
+    std::vector<Vec3> normals;
 
   private:
     struct Result {
@@ -60,11 +67,13 @@ class VertexSmoother {
     Index& slot(Index corner) { return mesh_.normalCorners[corner / 3][corner % 3]; }
     bool gather(std::span<const Index> corners);
     NormalSum sumAround(const Vec3& normal) const;
+    bool areAllNear() const;
     Index store(const NormalSum& sum);
 
     TriangleMesh& mesh_;
     std::span<const Vec3> faceNormals_;
     double cosLimit_;
+    double cosHalf_;  ///< normals within this of one are within the limit of each other
     std::vector<WeightedNormal> shares_;
     std::vector<Index> corners_;
     std::vector<Result> results_;
@@ -114,12 +123,30 @@ Index VertexSmoother::store(const NormalSum& sum) {
     const double size = length(sum.vector);
     // What is left after cancellation to rounding has no direction.
     if (!(size > gamma(4) * static_cast<double>(sum.count) * sum.weight)) return kNone;
-    mesh_.normals.push_back(sum.vector / size);
-    return static_cast<Index>(mesh_.normals.size() - 1);
+    normals.push_back(sum.vector / size);
+    return static_cast<Index>(mesh_.normals.size() + normals.size() - 1);
+}
+
+/// Whether all corners have the same sum: a tree may add up in another order.
+bool VertexSmoother::areAllNear() const {
+    if (shares_.size() >= kManyFaces) return false;
+    const Vec3& first = shares_[0].normal;
+    return std::all_of(shares_.begin(), shares_.end(), [&](const WeightedNormal& share) {
+        return glm::dot(first, share.normal) >= cosHalf_;
+    });
 }
 
 void VertexSmoother::smooth(std::span<const Index> corners) {
     if (!gather(corners)) return;
+    if (areAllNear()) {
+        const NormalSum sum = sumAround(shares_[0].normal);
+        if (sum.allEqual) return;
+        const Index normal = store(sum);
+        for (const Index corner : corners_) {
+            if (slot(corner) == kNone) slot(corner) = normal;
+        }
+        return;
+    }
     if (shares_.size() >= kManyFaces) tree_.build(shares_);
     results_.clear();
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -138,6 +165,41 @@ void VertexSmoother::smooth(std::span<const Index> corners) {
             slot(corners_[i]) = same->normal;
         }
     }
+}
+
+/// Chunks of vertices, whatever the threads; their normals follow one another in the mesh.
+void smoothVertices(TriangleMesh& mesh, const MeshTopology& topology,
+                    std::span<const Vec3> faceNormals, double angleDegrees, int threads) {
+    constexpr std::size_t kChunk = std::size_t{1} << 14;
+    const std::size_t vertices = topology.vertexCount();
+    const std::size_t chunks = (vertices + kChunk - 1) / kChunk;
+    const auto given = static_cast<Index>(mesh.normals.size());
+    std::vector<std::vector<Vec3>> normals(chunks);
+    const auto eachVertex = [&](std::size_t chunk, auto&& use) {
+        const std::size_t end = std::min(vertices, (chunk + 1) * kChunk);
+        for (std::size_t v = chunk * kChunk; v < end; ++v) {
+            use(topology.cornersAt(static_cast<Index>(v)));
+        }
+    };
+    forEachIndex(chunks, threads, [&](std::size_t chunk, int) {
+        VertexSmoother smoother(mesh, faceNormals, angleDegrees);
+        eachVertex(chunk, [&](std::span<const Index> corners) { smoother.smooth(corners); });
+        normals[chunk] = std::move(smoother.normals);
+    });
+    std::vector<std::size_t> first(chunks + 1, 0);
+    for (std::size_t i = 0; i < chunks; ++i) first[i + 1] = first[i] + normals[i].size();
+    mesh.normals.resize(given + first[chunks]);
+    forEachIndex(chunks, threads, [&](std::size_t chunk, int) {
+        std::copy(normals[chunk].begin(), normals[chunk].end(),
+                  mesh.normals.begin() + static_cast<std::ptrdiff_t>(given + first[chunk]));
+        eachVertex(chunk, [&](std::span<const Index> corners) {
+            for (const Index corner : corners) {
+                Index& normal = mesh.normalCorners[corner / 3][corner % 3];
+                const bool isNew = normal >= given && normal < kGeometricNormal;
+                if (isNew) normal += static_cast<Index>(first[chunk]);
+            }
+        });
+    });
 }
 
 /// Turns the marks into kNone; true if some corner has a normal.
@@ -171,16 +233,12 @@ Vec3 unitFaceNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 void smoothNormals(TriangleMesh& mesh, const MeshTopology& topology,
-                   std::span<const Vec3> faceNormals, double smoothAngleDegrees) {
+                   std::span<const Vec3> faceNormals, double smoothAngleDegrees, int threads) {
     if (mesh.normalCorners.empty()) {
         mesh.normalCorners.assign(mesh.triangles.size(), {kNone, kNone, kNone});
     }
     if (smoothAngleDegrees > 0.0) {
-        const double cosLimit = portable::cosDegrees(smoothAngleDegrees) - kUnitDotError;
-        VertexSmoother smoother(mesh, faceNormals, cosLimit);
-        for (std::size_t v = 0; v < topology.vertexCount(); ++v) {
-            smoother.smooth(topology.cornersAt(static_cast<Index>(v)));
-        }
+        smoothVertices(mesh, topology, faceNormals, smoothAngleDegrees, threads);
     }
     if (!settleMarks(mesh)) mesh.normalCorners = {};
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 
 using namespace rt;
@@ -237,6 +238,32 @@ TEST_CASE("packets and single rays on every instruction set answer alike in a la
         PrimitiveHit hit;
         truths.emplace_back(tree.closestHit(ray, ranges[0], hit) ? 1 : 0, hit);
     }
+    CHECK(kernelsAgree(tree, rays, ranges, truths));
+}
+
+TEST_CASE("broken, tiny and huge rays in a packet are answered as by themselves") {
+    Draws draws{std::mt19937_64(49)};
+    const TriangleMesh mesh = closedBall(draws, 3, 1.0, Vec3(0.0));
+    const MeshTree tree = MeshTree::build(mesh, 1);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Ray> rays;
+    for (const double length : {1.0, 6e-309, 1e-310, 1e-200, 1e200, 1e307, 0.0, kInfinity, nan}) {
+        for (int i = 0; i < 7; ++i) {
+            const Vec3 eye = 3.0 * draws.unit();
+            rays.push_back({eye, length * (0.3 * draws.unit() - eye)});
+            rays.push_back({0.5 * eye, Vec3(1e-12, 0.0, length)});
+        }
+        rays.push_back({Vec3(0.0, length, 0.0), Vec3(0.0, -1.0, 0.0)});
+    }
+    const std::vector<Interval> ranges(rays.size());
+    std::vector<std::vector<PrimitiveHit>> truths;
+    std::size_t hits = 0;
+    for (const Ray& ray : rays) {
+        PrimitiveHit hit;
+        truths.emplace_back(tree.closestHit(ray, {}, hit) ? 1 : 0, hit);
+        hits += truths.back().size();
+    }
+    CHECK(hits > rays.size() / 3);
     CHECK(kernelsAgree(tree, rays, ranges, truths));
 }
 

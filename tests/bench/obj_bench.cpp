@@ -1,4 +1,6 @@
-// Loading OBJ files: a wavy grid of shared vertices, as scanned and modelled meshes are.
+// Loading OBJ files, and building their trees: a wavy grid of shared vertices, as scanned and
+// modelled meshes are.
+#include "rt/accel/mesh_tree.h"
 #include "rt/compile/mesh_file.h"
 
 #include <benchmark/benchmark.h>
@@ -46,6 +48,7 @@ void loadGrid(benchmark::State& state) {
     const std::string path = writeGrid(static_cast<int>(state.range(0)), state.range(1) != 0);
     rt::MeshOptions options;
     options.smoothAngleDegrees = static_cast<double>(state.range(2));
+    options.threads = static_cast<int>(state.range(3));
     std::size_t triangles = 0;
     for (auto _ : state) {
         rt::Diagnostics diagnostics;
@@ -55,14 +58,33 @@ void loadGrid(benchmark::State& state) {
     std::filesystem::remove(path);
 }
 
+void buildTree(benchmark::State& state) {
+    const std::string path = writeGrid(static_cast<int>(state.range(0)), false);
+    rt::Diagnostics diagnostics;
+    const rt::TriangleMesh mesh = rt::loadObj(path, {}, diagnostics);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(rt::MeshTree::build(mesh, static_cast<int>(state.range(1))));
+    }
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+    std::filesystem::remove(path);
+}
+
 }  // namespace
 
 BENCHMARK(loadGrid)
-    ->ArgNames({"cells", "vn", "smooth"})
-    ->Args({500, 0, 0})
-    ->Args({500, 0, 40})
-    ->Args({500, 1, 40})
-    ->Args({1414, 0, 40})
+    ->ArgNames({"cells", "vn", "smooth", "threads"})
+    ->Args({500, 0, 0, 1})
+    ->Args({500, 0, 40, 1})
+    ->Args({500, 1, 40, 1})
+    ->Args({1414, 0, 40, 1})
+    ->Args({1414, 0, 40, 2})
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(buildTree)
+    ->ArgNames({"cells", "threads"})
+    ->Args({1414, 1})
+    ->Args({1414, 2})
+    ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
 
 BENCHMARK_MAIN();

@@ -21,10 +21,11 @@ struct Polygons {
         corners.insert(corners.end(), face);
         sizes.push_back(static_cast<Index>(face.size()));
     }
-    TriangleMesh mesh(double smoothAngle) const {
+    TriangleMesh mesh(double smoothAngle, int threads = 1) const {
         Diagnostics diagnostics;
         MeshOptions options;
         options.smoothAngleDegrees = smoothAngle;
+        options.threads = threads;
         return meshFromPolygons(vertices, corners, sizes, options, {}, diagnostics);
     }
 };
@@ -178,6 +179,22 @@ TEST_CASE("normals agree with the definition, however crumpled the mesh") {
             });
             CHECK(worst < 1e-7);
         }
+    }
+}
+
+TEST_CASE("the normals of many vertices are the same for any number of threads") {
+    const Polygons ball = sphere(400);
+    const TriangleMesh one = ball.mesh(30.0);
+    double worst = 0.0;
+    forEachCorner(one, [&](std::size_t t, std::size_t k) {
+        const Vec3& outward = one.positions[one.triangles[t][k]];
+        worst = std::max(worst, glm::length(normalAt(one, t, k) - outward));
+    });
+    CHECK(worst < 0.01);
+    for (const int threads : {2, 5}) {
+        const TriangleMesh other = ball.mesh(30.0, threads);
+        CHECK(other.normals == one.normals);
+        CHECK(other.normalCorners == one.normalCorners);
     }
 }
 

@@ -21,45 +21,47 @@
 
 namespace rt {
 
+/// From a ray's own parameter t to that of the tree, tau = t rate - start.
+struct TauOfT {
+    /// Ten times what is met within the tree: beyond it, all values are alike.
+    static constexpr double kLimit = 64.0;
+
+    /// Bounds in float of the tau of `t`, which may be infinite.
+    float above(double t) const {
+        const double tau = clamped(t);
+        return static_cast<float>(tau + slack(tau));
+    }
+    float below(double t) const {
+        const double tau = clamped(t);
+        return static_cast<float>(tau - slack(tau));
+    }
+
+    double rate;
+    double start;
+    double startSlack;
+
+  private:
+    double clamped(double t) const { return std::clamp(t * rate - start, -kLimit, kLimit); }
+    double slack(double tau) const { return startSlack + kFloatRounding * std::fabs(tau); }
+};
+
 class BoxRay {
   public:
     /// False where the line misses the tree's surroundings, or the ray is not finite.
     [[nodiscard]] static bool make(const TreeFrame& frame, const Ray& ray, BoxRay& out);
 
-    /// Bounds in float of the tau of `t`, which may be infinite.
-    float tauAbove(double t) const {
-        const double tau = clampedTau(t);
-        return static_cast<float>(tau + slack(tau));
-    }
-    float tauBelow(double t) const {
-        const double tau = clampedTau(t);
-        return static_cast<float>(tau - slack(tau));
-    }
-
-    float reciprocal[3];
-    float nearShift[3];  ///< tau of a near plane p is p * reciprocal + nearShift
-    float farShift[3];
-    float
-        nearOrigin[3];  ///< padded origins: tau of a near plane p is (p - nearOrigin) * reciprocal
-    float farOrigin[3];
+    // By axis; the fourth is of no account.
+    float reciprocal[4];
+    float nearShift[4];  ///< tau of a near plane p is p * reciprocal + nearShift
+    float farShift[4];
     int nearPlane[3];  ///< rows of WideNode::plane
     int farPlane[3];
+    TauOfT tau;
 
   private:
-    /// Ten times what is met within the tree: beyond it, all values are alike.
-    static constexpr double kTauLimit = 64.0;
-
-    double clampedTau(double t) const {
-        return std::clamp(t * rate_ - start_, -kTauLimit, kTauLimit);
-    }
-    double slack(double tau) const { return startSlack_ + kFloatRounding * std::fabs(tau); }
     void setAxes(const Vec3& origin, const Vec3& direction, double pad);
     /// Moves a far `origin` towards the tree; false where the line passes it by.
     bool approach(Vec3& origin, const Vec3& direction, double pad);
-
-    double rate_;
-    double start_;
-    double startSlack_;
 };
 
 inline bool isFinite(const Vec3& v) {
@@ -88,14 +90,10 @@ inline void BoxRay::setAxes(const Vec3& origin, const Vec3& direction, double pa
     const Four farAt = o - outward;
     const Floats all[] = {__builtin_convertvector(inverse, Floats),
                           __builtin_convertvector(-nearAt * inverse, Floats),
-                          __builtin_convertvector(-farAt * inverse, Floats),
-                          __builtin_convertvector(nearAt, Floats),
-                          __builtin_convertvector(farAt, Floats)};
+                          __builtin_convertvector(-farAt * inverse, Floats)};
     std::memcpy(reciprocal, &all[0], sizeof reciprocal);
     std::memcpy(nearShift, &all[1], sizeof nearShift);
     std::memcpy(farShift, &all[2], sizeof farShift);
-    std::memcpy(nearOrigin, &all[3], sizeof nearOrigin);
-    std::memcpy(farOrigin, &all[4], sizeof farOrigin);
     for (int axis = 0; axis < 3; ++axis) {
         const int backwards = sign[axis] < 0 ? 1 : 0;
         nearPlane[axis] = 2 * axis + backwards;
@@ -110,9 +108,9 @@ inline bool BoxRay::approach(Vec3& origin, const Vec3& direction, double pad) {
     const double foot = -glm::dot(origin, direction) / squared;
     const Vec3 nearest = origin + foot * direction;
     if (!(glm::dot(nearest, nearest) < reach * reach)) return false;
-    start_ = foot - reach / std::sqrt(squared);
-    startSlack_ += kOriginRounding * std::fabs(start_);
-    origin += start_ * direction;
+    tau.start = foot - reach / std::sqrt(squared);
+    tau.startSlack += kOriginRounding * std::fabs(tau.start);
+    origin += tau.start * direction;
     return true;
 }
 
@@ -120,12 +118,12 @@ inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
     Vec3 direction = ray.direction;
     double longest = longestComponent(direction);
     if (!(longest > 0.0 && isFinite(direction))) return false;
-    out.rate_ = frame.scale;
+    out.tau.rate = frame.scale;
     if (!(longest > 0x1p-1000 && longest < 0x1p1000)) {
         const double shrink = longest < 1.0 ? 0x1p500 : 0x1p-500;
         direction *= shrink;
         longest *= shrink;
-        out.rate_ /= shrink;
+        out.tau.rate /= shrink;
     }
     constexpr std::uint64_t kExponentBits = std::uint64_t{0x7ff} << 52;
     const double power =
@@ -133,15 +131,15 @@ inline bool BoxRay::make(const TreeFrame& frame, const Ray& ray, BoxRay& out) {
     // The exponent is neither the least nor the largest, so that this is 1 / power.
     direction *=
         std::bit_cast<double>((std::uint64_t{0x7fe} << 52) - std::bit_cast<std::uint64_t>(power));
-    out.rate_ *= power;
+    out.tau.rate *= power;
 
     Vec3 origin = (ray.origin - frame.centre) * frame.scale;
     const double away = longestComponent(origin);
-    if (!(isFinite(origin) && out.rate_ > 0.0 && out.rate_ < kInfinity)) return false;
+    if (!(isFinite(origin) && out.tau.rate > 0.0 && out.tau.rate < kInfinity)) return false;
     const double pad =
         kBoxPad + kOriginRounding * (away + longestComponent(frame.centre) * frame.scale);
-    out.start_ = 0.0;
-    out.startSlack_ = kFloatRounding;
+    out.tau.start = 0.0;
+    out.tau.startSlack = kFloatRounding;
     if (away > 2.0 && !out.approach(origin, direction, pad)) return false;
     out.setAxes(origin, direction, pad);
     return true;

@@ -82,13 +82,13 @@ void traverseClosest(const WideTree& tree, const Ray& ray, Interval range, LeafT
     BoxRay boxRay;
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return;
     LeafWalk walk(tree, boxRay, tree.items(), sizeof(Index));
-    walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max),
+    walk.run(boxRay.tau.below(range.min), boxRay.tau.above(range.max),
              [&](ChildRef leaf, float& tauMax) {
                  for (std::uint32_t k = 0; k < leaf.count(); ++k) {
                      const double newMax = test(tree.item(leaf.first() + k), range);
                      if (newMax < range.max) {
                          range.max = newMax;
-                         tauMax = boxRay.tauAbove(newMax);
+                         tauMax = boxRay.tau.above(newMax);
                      }
                  }
                  return false;
@@ -103,7 +103,7 @@ bool traverseAny(const WideTree& tree, const Ray& ray, Interval range, LeafTest&
     if (tree.isEmpty() || !BoxRay::make(tree.frame(), ray, boxRay)) return false;
     LeafWalk walk(tree, boxRay, tree.items(), sizeof(Index));
     bool stopped = false;
-    walk.run(boxRay.tauBelow(range.min), boxRay.tauAbove(range.max), [&](ChildRef leaf, float&) {
+    walk.run(boxRay.tau.below(range.min), boxRay.tau.above(range.max), [&](ChildRef leaf, float&) {
         for (std::uint32_t k = 0; k < leaf.count() && !stopped; ++k) {
             stopped = test(tree.item(leaf.first() + k));
         }

@@ -29,6 +29,8 @@ struct MeshOptions {
     double smoothAngleDegrees = 40.0;
     /// Most bytes that loading may need, estimated from the size of the file.
     std::uint64_t memoryLimit = std::uint64_t{8} << 30;
+    /// The mesh is the same for any number.
+    int threads = 1;
 };
 
 /// The mesh in an OBJ file; one without faces is empty, with a warning. SceneError with the file's

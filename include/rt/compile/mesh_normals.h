@@ -33,6 +33,6 @@ inline constexpr Index kGeometricNormal = kNone - 1;
 /// for one without area; `smoothAngleDegrees` is in 0 .. 180. Leaves kNone for kGeometricNormal,
 /// and `normalCorners` empty if nothing but kNone would be in it.
 void smoothNormals(TriangleMesh& mesh, const MeshTopology& topology,
-                   std::span<const Vec3> faceNormals, double smoothAngleDegrees);
+                   std::span<const Vec3> faceNormals, double smoothAngleDegrees, int threads);
 
 }  // namespace rt
