@@ -243,9 +243,11 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
         made.toObject_.translation = -made.toObject_.vector(toWorld.translation);
         if (!made.toObject_.isFinite()) return false;
         made.stretch_ = longestImage(toWorld.linear);
-        made.condition_ = absoluteRowSum(toWorld.linear, made.toObject_.linear);
+        const double outAndBack = absoluteRowSum(toWorld.linear, made.toObject_.linear);
         // Coming back is rounded once, and the tails as floats.
-        made.wayBack_ = gamma(2) + kTailRoundoff * made.condition_;
+        made.wayBack_ = gamma(2) + kTailRoundoff * outAndBack;
+        made.condition_ =
+            std::max(outAndBack, absoluteRowSum(made.toObject_.linear, toWorld.linear));
         made.identity_ = false;
         made.flips_ = determinantSign < 0.0;
     }

@@ -82,22 +82,31 @@ template <class Use>
     return use(local);
 }
 
-bool nearestOn(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
-               PrimitiveHit& hit) {
+[[gnu::always_inline]] inline bool nearestOn(const Shape& shape, const Transform& transform,
+                                             const Ray& ray, Interval range, PrimitiveHit& hit) {
     return inObjectSpace(transform, ray, [&](const Ray& local) {
         return withShape(shape, IntersectShape{local, range, hit});
     });
 }
 
+/// Whether an instance may be met in `range`. `slabs` is the ray in the world.
+[[gnu::always_inline]] inline bool meetsBox(const PlacedBox& box, const Ray& ray,
+                                            const SlabRay& slabs, Interval range) {
+    if (!box.isMoved) return slabs.meets(box.box, range);
+    SlabRay local;
+    return !local.make(box, ray) || local.meets(box.box, range);
+}
+
 /// Calls test(item, Interval now) -> double for the instances whose boxes meet the ray, near ones
 /// first, with the range that is left; it returns the range's new max.
 template <class Test>
-void visitNearFirst(const RenderScene& scene, const Ray& ray, Interval range, const Test& test) {
+[[gnu::always_inline]] inline void visitNearFirst(const RenderScene& scene, const Ray& ray,
+                                                  Interval range, const Test& test) {
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
         traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
-            if (made && !slabs.meets(scene.boxes[item], now)) return now.max;
+            if (made && !meetsBox(scene.boxes[item], ray, slabs, now)) return now.max;
             return test(item, now);
         });
         return;
@@ -105,8 +114,10 @@ void visitNearFirst(const RenderScene& scene, const Ray& ray, Interval range, co
     alignas(32) double entries[kFewBoxes];
     unsigned waiting = 0;
     const QuadTester tester(slabs);
-    for (std::size_t i = 0; i < scene.quads.size(); ++i) {
-        waiting |= tester.meet(scene.quads[i], range, entries + 4 * i) << 4 * i;
+    const auto count = static_cast<unsigned>(scene.quads.size());
+    const BoxQuad* quads = scene.quads.data();
+    for (unsigned i = 0; i < count; ++i) {
+        waiting |= tester.meet(quads[i], range, entries + 4 * i) << 4 * i;
     }
     while (waiting != 0) {
         int nearest = std::countr_zero(waiting);
@@ -123,22 +134,23 @@ void visitNearFirst(const RenderScene& scene, const Ray& ray, Interval range, co
 /// Calls test(item) -> bool for the instances whose boxes meet the ray in `range`, until it returns
 /// true; returns whether it did.
 template <class Test>
-bool visitUntil(const RenderScene& scene, const Ray& ray, Interval range, const Test& test) {
+[[gnu::always_inline]] inline bool visitUntil(const RenderScene& scene, const Ray& ray,
+                                              Interval range, const Test& test) {
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
         return traverseAny(scene.tree, ray, range, [&](Index item) {
-            if (made && !slabs.meets(scene.boxes[item], range)) return false;
+            if (made && !meetsBox(scene.boxes[item], ray, slabs, range)) return false;
             return test(item);
         });
     }
     double entries[4];
     const QuadTester tester(slabs);
-    for (std::size_t i = 0; i < scene.quads.size(); ++i) {
-        for (unsigned met = tester.meet(scene.quads[i], range, entries); met != 0; met &= met - 1) {
-            if (test(static_cast<Index>(4 * i) + static_cast<Index>(std::countr_zero(met)))) {
-                return true;
-            }
+    const BoxQuad* quads = scene.quads.data();
+    const auto count = static_cast<Index>(scene.quads.size());
+    for (Index i = 0; i < count; ++i) {
+        for (unsigned met = tester.meet(quads[i], range, entries); met != 0; met &= met - 1) {
+            if (test(4 * i + static_cast<Index>(std::countr_zero(met)))) return true;
         }
     }
     return false;
@@ -186,14 +198,23 @@ bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneH
                 bool* shared) {
     SceneHit best;
     bool coincident = false;
+    double last = range.max;  // of what coincides with the best
     visitNearFirst(scene, ray, range, [&](Index item, Interval now) {
         PrimitiveHit found;
-        if (!intersectInstance(scene, item, ray, now, found)) return now.max;
-        const double slack = coincidenceInT(ray, found.t);
-        if (best.instance != kNone && std::fabs(found.t - best.at.t) <= slack) coincident = true;
-        const bool nearer = found.t < best.at.t || (found.t == best.at.t && item < best.instance);
-        if (nearer) best = {found, item};
-        return std::min(range.max, best.at.t + slack);
+        const Instance& placed = scene.instances[item];
+        if (!nearestOn(scene.shapes[placed.shape], placed.transform, ray, now, found)) {
+            return now.max;
+        }
+        if (best.instance == kNone || found.t < best.at.t) {
+            const double reach = found.t + coincidenceInT(ray, found.t);
+            coincident = best.instance != kNone && best.at.t < reach;
+            best = {found, item};
+            last = std::min(range.max, reach);
+        } else {
+            coincident = true;
+            if (found.t == best.at.t && item < best.instance) best = {found, item};
+        }
+        return last;
     });
     if (best.instance == kNone) return false;
     if (coincident) {

@@ -47,6 +47,15 @@ struct alignas(32) PaddedBox {
     }
 };
 
+/// The box of a shape in the shape's own space, and the way there, in plain double: a rough, quick
+/// look at shapes whose world boxes are too wide.
+struct PlacedBox {
+    PaddedBox box;
+    alignas(32) double toObject[3][4] = {};  ///< columns of the inverse's linear part
+    double centre[4] = {};                   ///< what the origin of object space is in the world
+    bool isMoved = false;                    ///< else `box` is in the world, and there is no way
+};
+
 /// Four boxes side by side: min x, max x, min y, max y, min z, max z.
 struct alignas(32) BoxQuad {
     double plane[6][4];
@@ -71,8 +80,35 @@ class SlabRay {
     /// False for a ray that is not finite, or whose direction's square leaves the doubles: such a
     /// ray knows nothing of boxes.
     [[nodiscard]] [[gnu::always_inline]] bool make(const Ray& ray) {
-        const Lanes4 origin = Lanes4::loadThree(&ray.origin.x);
-        const Lanes4 direction = Lanes4::loadThree(&ray.direction.x);
+        return make(Lanes4::loadThree(&ray.origin.x), Lanes4::loadThree(&ray.direction.x));
+    }
+
+    /// Whether the box is met at some t in [range.min, range.max].
+    [[gnu::always_inline]] bool meets(const PaddedBox& box, Interval range) const {
+        const Lanes4 low = (Lanes4::load(box.min) - lowOrigin_) * inverse_;
+        const Lanes4 high = (Lanes4::load(box.max) - highOrigin_) * inverse_;
+        const double entry = largestOfThree(chosenBySign(direction_, low, high));
+        const double exit = leastOfThree(chosenBySign(direction_, high, low));
+        return std::max(entry, range.min) <= std::min(exit, range.max);
+    }
+
+    /// The ray in the space of a placed box. False where nothing is known of it there.
+    [[nodiscard]] [[gnu::always_inline]] bool make(const PlacedBox& box, const Ray& ray) {
+        const Lanes4 x = Lanes4::load(box.toObject[0]);
+        const Lanes4 y = Lanes4::load(box.toObject[1]);
+        const Lanes4 z = Lanes4::load(box.toObject[2]);
+        const auto object = [&](const Vec3& v) __attribute__((always_inline)) {
+            return fma(x, Lanes4::all(v.x), fma(y, Lanes4::all(v.y), z * Lanes4::all(v.z)));
+        };
+        const Vec3 from(ray.origin.x - box.centre[0], ray.origin.y - box.centre[1],
+                        ray.origin.z - box.centre[2]);
+        return make(object(from), object(ray.direction));
+    }
+
+  private:
+    friend class QuadTester;
+
+    [[gnu::always_inline]] bool make(Lanes4 origin, Lanes4 direction) {
         const Lanes4 size = magnitude(direction);
         const Lanes4 distance = magnitude(origin);
         const double longest = largestOfThree(size);
@@ -83,23 +119,14 @@ class SlabRay {
         const Lanes4 slope =
             withSign(greater(size, Lanes4::all(kLeastSlopeShare * longest)), direction);
         const Lanes4 pad = Lanes4::all(kOriginRounding * largestOfThree(distance));
+        direction_ = direction;
         inverse_ = Lanes4::all(1.0) / slope;
         lowOrigin_ = origin + pad;
         highOrigin_ = origin - pad;
         return true;
     }
 
-    /// Whether the box is met at some t in [range.min, range.max].
-    [[gnu::always_inline]] bool meets(const PaddedBox& box, Interval range) const {
-        const Lanes4 low = (Lanes4::load(box.min) - lowOrigin_) * inverse_;
-        const Lanes4 high = (Lanes4::load(box.max) - highOrigin_) * inverse_;
-        const double entry = largestOfThree(lesser(low, high));
-        const double exit = leastOfThree(greater(low, high));
-        return std::max(entry, range.min) <= std::min(exit, range.max);
-    }
-
-  private:
-    friend class QuadTester;
+    Lanes4 direction_;
     Lanes4 inverse_;
     Lanes4 lowOrigin_;   ///< moved up, as a box's lower planes are to be moved down
     Lanes4 highOrigin_;  ///< moved down
@@ -109,42 +136,47 @@ class SlabRay {
 class QuadTester {
   public:
     [[gnu::always_inline]] explicit QuadTester(const SlabRay& ray) {
-        double inverse[4];
-        double shift[2][4];
-        ray.inverse_.store(inverse);
-        (Lanes4::all(0.0) - ray.lowOrigin_ * ray.inverse_).store(shift[0]);
-        (Lanes4::all(0.0) - ray.highOrigin_ * ray.inverse_).store(shift[1]);
-        for (int axis = 0; axis < 3; ++axis) {
-            const int backwards = std::signbit(inverse[axis]) ? 1 : 0;
-            inverse_[axis] = Lanes4::all(inverse[axis]);
-            nearShift_[axis] = Lanes4::all(shift[backwards][axis]);
-            farShift_[axis] = Lanes4::all(shift[1 - backwards][axis]);
-            nearPlane_[axis] = 2 * axis + backwards;
-            farPlane_[axis] = 2 * axis + 1 - backwards;
-        }
+        const unsigned signs = signBits(ray.direction_);
+        const Lanes4 low = Lanes4::all(0.0) - ray.lowOrigin_ * ray.inverse_;
+        const Lanes4 high = Lanes4::all(0.0) - ray.highOrigin_ * ray.inverse_;
+        const Lanes4 near = chosenBySign(ray.direction_, low, high);
+        const Lanes4 far = chosenBySign(ray.direction_, high, low);
+        x_ = {ray.inverse_.spread<0>(), near.spread<0>(), far.spread<0>(), signs & 1};
+        y_ = {ray.inverse_.spread<1>(), near.spread<1>(), far.spread<1>(), 2 + (signs >> 1 & 1)};
+        z_ = {ray.inverse_.spread<2>(), near.spread<2>(), far.spread<2>(), 4 + (signs >> 2 & 1)};
     }
 
     /// Bit i: the ray meets box i of the four within `range`, at `entries[i]` first.
     [[gnu::always_inline]] unsigned meet(const BoxQuad& quad, Interval range,
                                          double* entries) const {
-        Lanes4 enter = Lanes4::all(range.min);
-        Lanes4 leave = Lanes4::all(range.max);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Lanes4 near = Lanes4::load(quad.plane[nearPlane_[axis]]);
-            const Lanes4 far = Lanes4::load(quad.plane[farPlane_[axis]]);
-            enter = greater(fma(near, inverse_[axis], nearShift_[axis]), enter);
-            leave = lesser(fma(far, inverse_[axis], farShift_[axis]), leave);
-        }
+        const Lanes4 enter = greater(greater(x_.near(quad), y_.near(quad)),
+                                     greater(z_.near(quad), Lanes4::all(range.min)));
+        const Lanes4 leave = lesser(lesser(x_.far(quad), y_.far(quad)),
+                                    lesser(z_.far(quad), Lanes4::all(range.max)));
         enter.store(entries);
         return notAbove(enter, leave);
     }
 
   private:
-    Lanes4 inverse_[3];
-    Lanes4 nearShift_[3];
-    Lanes4 farShift_[3];
-    int nearPlane_[3];
-    int farPlane_[3];
+    /// t of a plane p is p inverse + shift. Where both are infinite, a NaN: greater and lesser
+    /// pass over it when it comes first, and a box is then met in vain at worst.
+    struct Axis {
+        Lanes4 inverse;
+        Lanes4 nearShift;
+        Lanes4 farShift;
+        std::size_t nearPlane;
+
+        Lanes4 near(const BoxQuad& quad) const {
+            return fma(Lanes4::load(quad.plane[nearPlane]), inverse, nearShift);
+        }
+        Lanes4 far(const BoxQuad& quad) const {
+            return fma(Lanes4::load(quad.plane[nearPlane ^ 1]), inverse, farShift);
+        }
+    };
+
+    Axis x_;
+    Axis y_;
+    Axis z_;
 };
 
 }  // namespace rt

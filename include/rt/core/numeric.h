@@ -136,9 +136,10 @@ inline constexpr double kOriginRounding = 0x1p-46;
 /// this and its inverse: far from where a reciprocal overflows or loses digits.
 inline constexpr double kLongestSlope = 0x1p500;
 
-/// What a shape is placed by may multiply roundings of world coordinates by this, and its hits still
-/// lie in its padded box: 16 of the 2^6 roundings that boxes allow for.
-inline constexpr double kBoxedCondition = 16.0;
+/// Shapes whose Transform::condition() is above this have no box in double precision: origin and
+/// direction are off by 3 roundings each, times that, and with the 2^6 that a hit may lie outside
+/// of its Bounds it is still below the pad of 2^7.
+inline constexpr double kBoxedCondition = 8.0;
 
 /// Parts of a direction below this fraction of the longest count as this. Until a ray has left a
 /// box at p, it has gone |origin| + |p| along its longest axis, and so less than 2^-59 of that

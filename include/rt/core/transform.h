@@ -58,9 +58,9 @@ class Transform {
     /// back with `toObject` is off by, seen in the world. So a ray that starts further than this
     /// from the surface starts on the same side of it in object space.
     double errorToWorld(const Vec3& objectPoint, double objectError) const;
-    /// |linear| |inverse|, the largest row sum: 1 for scales along the axes, at most 3 for a turn of
-    /// them. What a world coordinate is rounded by on the way to object space and back grows with
-    /// it.
+    /// The larger of the largest row sums of |linear| |inverse| and |inverse| |linear|: 1 for
+    /// scales along the axes, at most 3 for a turn of them. The roundings of plain double on the
+    /// way to object space and back grow with it.
     double condition() const { return condition_; }
 
   private:

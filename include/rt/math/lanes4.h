@@ -48,6 +48,17 @@ class Lanes4 {
         const __m256d bit = _mm256_set1_pd(-0.0);
         return _mm256_or_pd(_mm256_andnot_pd(bit, a.v_), _mm256_and_pd(bit, sign.v_));
     }
+    /// Lane by lane: `up` where `sign` is not negative, else `down`.
+    friend Lanes4 chosenBySign(Lanes4 sign, Lanes4 up, Lanes4 down) {
+        return _mm256_blendv_pd(up.v_, down.v_, sign.v_);
+    }
+    /// Bit i: lane i is negative.
+    friend unsigned signBits(Lanes4 a) { return static_cast<unsigned>(_mm256_movemask_pd(a.v_)); }
+    /// Lane I in all four.
+    template <int I>
+    Lanes4 spread() const {
+        return _mm256_permute4x64_pd(v_, I * 0x55);
+    }
     /// Bit i: a <= b in lane i.
     friend unsigned notAbove(Lanes4 a, Lanes4 b) {
         return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.v_, b.v_, _CMP_LE_OQ)));
@@ -118,6 +129,22 @@ class Lanes4 {
     }
     friend Lanes4 withSign(Lanes4 a, Lanes4 sign) {
         return each([&](std::size_t i) { return std::copysign(a.v_[i], sign.v_[i]); });
+    }
+    /// Lane by lane: `up` where `sign` is not negative, else `down`.
+    friend Lanes4 chosenBySign(Lanes4 sign, Lanes4 up, Lanes4 down) {
+        return each(
+            [&](std::size_t i) { return std::signbit(sign.v_[i]) ? down.v_[i] : up.v_[i]; });
+    }
+    /// Bit i: lane i is negative.
+    friend unsigned signBits(Lanes4 a) {
+        unsigned mask = 0;
+        for (std::size_t i = 0; i < 4; ++i) mask |= (std::signbit(a.v_[i]) ? 1u : 0u) << i;
+        return mask;
+    }
+    /// Lane I in all four.
+    template <int I>
+    Lanes4 spread() const {
+        return all(v_[I]);
     }
     /// Bit i: a <= b in lane i.
     friend unsigned notAbove(Lanes4 a, Lanes4 b) {

@@ -31,6 +31,16 @@ constexpr std::uint32_t reversedBits(std::uint32_t x) {
     return (x & 0x55555555) << 1 | (x >> 1 & 0x55555555);
 }
 
+constexpr std::uint64_t reversedBits(std::uint64_t x) {
+    constexpr std::uint64_t kNibbles = 0x0f0f0f0f0f0f0f0f;
+    constexpr std::uint64_t kPairs = 0x3333333333333333;
+    constexpr std::uint64_t kOdd = 0x5555555555555555;
+    x = __builtin_bswap64(x);
+    x = (x & kNibbles) << 4 | (x >> 4 & kNibbles);
+    x = (x & kPairs) << 2 | (x >> 2 & kPairs);
+    return (x & kOdd) << 1 | (x >> 1 & kOdd);
+}
+
 /// Owen's scrambling seen from the other end: every bit is flipped or not by a hash of the bits
 /// below it.
 constexpr std::uint32_t scrambledReversed(std::uint32_t x, std::uint32_t key) {
@@ -138,10 +148,12 @@ constexpr UnitPoint sobolPair(std::uint32_t index, SobolPair pair, std::uint64_t
     const auto first = static_cast<std::size_t>(pair);
     const auto low = static_cast<std::uint32_t>(key);
     const auto high = static_cast<std::uint32_t>(key >> 32);
-    return {
-        cellMiddle(reversedBits(scrambledReversed(sobol::reversedCoordinate(index, first), low))),
-        cellMiddle(
-            reversedBits(scrambledReversed(sobol::reversedCoordinate(index, first + 1), high)))};
+    const std::uint32_t x = scrambledReversed(sobol::reversedCoordinate(index, first), low);
+    const std::uint32_t y = scrambledReversed(sobol::reversedCoordinate(index, first + 1), high);
+    // Reversed as one word, the halves change places.
+    const std::uint64_t both = reversedBits(std::uint64_t{y} << 32 | x);
+    return {cellMiddle(static_cast<std::uint32_t>(both >> 32)),
+            cellMiddle(static_cast<std::uint32_t>(both))};
 }
 
 }  // namespace rt

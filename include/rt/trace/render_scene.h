@@ -79,8 +79,8 @@ struct RenderScene {
     std::vector<Look> looks;
     std::vector<Instance> instances;
     WideTree tree;                 ///< over the instances' world bounds
-    std::vector<PaddedBox> boxes;  ///< of each instance
-    std::vector<BoxQuad> quads;    ///< the same, where they are few; a tree is slower there
+    std::vector<PlacedBox> boxes;  ///< of each instance
+    std::vector<BoxQuad> quads;    ///< world boxes, where they are few: a tree is slower there
     std::vector<Light> lights;
     Color ambient{0.0};
     Background background;
