@@ -71,7 +71,7 @@ def cost(render):
 def main():
     project = os.path.abspath(sys.argv[1])
     rounds = int(sys.argv[sys.argv.index("--rounds") + 1]) if "--rounds" in sys.argv else 5
-    near, far = FLOOR % (20, 20, 20, "%s"), FLOOR % (2000, 2000, 2000, "%s")
+    near, far = FLOOR % (2000, 2000, 2000, "%s"), FLOOR % (20, 20, 20, "%s")
     # The near floor's texels are larger than a sample's share of a pixel, most of the far one's are smaller.
     cases = [
         ("no texture", far % MATERIAL, ["--spp", "64"]),
