@@ -47,7 +47,8 @@ std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
                                                  const TextureSettings& settings,
                                                  std::uint64_t maxPixels,
                                                  Diagnostics& diagnostics) {
-    const auto [entry, added] = images_.try_emplace({image.path, settings.flipV, settings.srgb});
+    const auto [entry, added] =
+        images_.try_emplace({image.path, settings.flipV, settings.srgb, settings.prefilter});
     if (added) {
         ImageLimits limits;
         limits.maxPixels = maxPixels;

@@ -208,7 +208,7 @@ class Compiler {
         if (appearance.texture != kNone) {
             const TextureDesc& texture = scene_.textures[appearance.texture];
             look.material = {Color(0.0), texture.specular, texture.exponent};
-            look.texture = image(texture.image);
+            look.texture = image(texture.image, appearance.bump == kNone);
         } else {
             look.material = scene_.materials[appearance.material].material;
         }
@@ -229,8 +229,9 @@ class Compiler {
         return look;
     }
 
-    std::shared_ptr<const Texture> image(Index index) {
+    std::shared_ptr<const Texture> image(Index index, bool prefilter = false) {
         TextureSettings settings;
+        settings.prefilter = prefilter;
         settings.flipV = settings_.flipV;
         settings.srgb = settings_.srgb;
         const ImageDesc& desc = scene_.images[index];

@@ -2,6 +2,8 @@
 
 #include "rt/core/error.h"
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -36,6 +38,16 @@ bool needsKnownNumber(SamplerKind sampler) {
     return sampler == SamplerKind::kJitter || sampler == SamplerKind::kGrid;
 }
 
+/// Side of the part of a pixel over which textures may be averaged at first, by the error target:
+/// the bias of a floor of full contrast is then below a third of it (Documentation/textures.md).
+constexpr double kShareSidePerError = 36.0;
+
+std::uint32_t textureSharesFor(double error) {
+    const double side = std::min(kShareSidePerError * error, 1.0);
+    const double shares = std::min(1.0 / (side * side), static_cast<double>(kDefaultMaxSpp));
+    return std::bit_ceil(static_cast<std::uint32_t>(shares));
+}
+
 TraceSettings traceSettings(const RenderOptions& options) {
     TraceSettings settings;
     settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
@@ -46,6 +58,7 @@ TraceSettings traceSettings(const RenderOptions& options) {
     if (options.reference.value_or(false)) {
         settings.cutoff = 0.0;
         settings.raysPerSample = std::numeric_limits<std::uint64_t>::max();
+        settings.textureShares = 0;
     }
     return settings;
 }
@@ -64,10 +77,16 @@ SamplingGoal samplingGoal(const RenderOptions& options) {
     }
     if (options.spp || fixed) {
         goal.trace.spp = options.spp.value_or(kDefaultSpp);
+        if (goal.trace.textureShares > 0) {
+            goal.trace.textureShares = static_cast<std::uint32_t>(goal.trace.spp);
+        }
         return goal;
     }
     goal.trace.spp = options.maxSpp.value_or(kDefaultMaxSpp);
     if (options.error || !options.time) goal.errorTarget = options.error.value_or(kDefaultError);
+    if (goal.trace.textureShares > 0) {
+        goal.trace.textureShares = textureSharesFor(options.error.value_or(kDefaultError));
+    }
     return goal;
 }
 

@@ -76,6 +76,11 @@ void checkSpec(const OIIO::ImageSpec& spec, std::uint64_t maxPixels) {
     if (spec.depth > 1) throw std::runtime_error("volumes are not images");
     if (spec.deep) throw std::runtime_error("deep images have no single colour in a pixel");
     if (spec.nchannels < 1) throw std::runtime_error("the image has no channels");
+    // Not every one of the library's readers looks at its limit.
+    if (spec.nchannels > kMostChannels) {
+        throw std::runtime_error("the image has " + std::to_string(spec.nchannels) + " channels; " +
+                                 std::to_string(kMostChannels) + " are allowed");
+    }
     if (spec.channelindex("RY") >= 0) {
         throw std::runtime_error("luminance and chroma are not read; save it as RGB");
     }

@@ -1,3 +1,4 @@
+#include "rt/core/ray.h"
 #include "rt/shading/texture.h"
 #include "texel_cell.h"
 
@@ -8,87 +9,97 @@
 namespace rt {
 namespace {
 
-// A footprint spans at least so many texels of its level, so that the texels' own extent adds
-// little to it, and is probed at no more points a side than kMostProbes.
-constexpr double kTexelsAcross = 4.0;
-constexpr double kMostProbes = 64.0;
+// A footprint spans at least so many texels of its level on its narrow side, so that the texels'
+// own extent adds little to it.
+constexpr double kTexelsAcross = 8.0;
+// A side has one tap for so many texels of its level, but at most kMostTaps.
+constexpr double kTexelsToATap = 2.0;
+constexpr double kMostTaps = 16.0;
+
+// The plastic number's inverse and its square: the taps' places in their cells follow the sequence
+// of these steps, which spreads them (Roberts, The Unreasonable Effectiveness of Quasirandom
+// Sequences, 2018), lest taps at even distances meet a pattern's own.
+constexpr double kStepAcross = 0.75487766624669276;
+constexpr double kStepDown = 0.56984029099805327;
 
 double length(const Vec2& v) {
     return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
+double fraction(double x) {
+    return x - std::floor(x);
+}
+
+int tapsAlong(double texels) {
+    const double wanted = std::ceil(texels / kTexelsToATap);
+    return wanted > 1.0 ? static_cast<int>(std::min(wanted, kMostTaps)) : 1;
 }
 
 /// One side of a pyramid's level: which old texels a new one covers, and how much of each.
 struct Halving {
     explicit Halving(int size) : from(size), to(std::max(1, size / 2)) {}
 
-    std::int64_t first(std::int64_t k) const { return k * from / to; }
-    std::int64_t end(std::int64_t k) const { return ((k + 1) * from + to - 1) / to; }
+    int first(int k) const { return static_cast<int>(std::int64_t{k} * from / to); }
+    int end(int k) const { return static_cast<int>((std::int64_t{k + 1} * from + to - 1) / to); }
     /// Overlap of texel i with the new texel k, as a part of the latter.
-    double weight(std::int64_t i, std::int64_t k) const {
+    double weight(int i, int k) const {
         const std::int64_t overlap =
-            std::min((i + 1) * to, (k + 1) * from) - std::max(i * to, k * from);
+            std::min(std::int64_t{i + 1} * to, std::int64_t{k + 1} * from) -
+            std::max(std::int64_t{i} * to, std::int64_t{k} * from);
         return static_cast<double>(overlap) / static_cast<double>(from);
     }
 
-    std::int64_t from;
-    std::int64_t to;
+    int from;
+    int to;
 };
 
-std::vector<Color> halvedRows(const std::vector<Color>& texels, const Halving& columns) {
-    std::vector<Color> halved;
-    for (auto row = texels.begin(); row != texels.end(); row += columns.from) {
-        for (std::int64_t k = 0; k < columns.to; ++k) {
+/// The row of means k, of `texel(column, row)`.
+template <class Texel>
+std::vector<Color> halvedRow(const Halving& columns, const Halving& rows, int k, Texel texel) {
+    std::vector<Color> means(static_cast<std::size_t>(columns.to), Color(0.0));
+    for (int row = rows.first(k); row < rows.end(k); ++row) {
+        const double down = rows.weight(row, k);
+        for (int column = 0; column < columns.to; ++column) {
             Color sum(0.0);
-            for (std::int64_t i = columns.first(k); i < columns.end(k); ++i) {
-                sum += columns.weight(i, k) * row[i];
+            for (int i = columns.first(column); i < columns.end(column); ++i) {
+                sum += columns.weight(i, column) * texel(i, row);
             }
-            halved.push_back(sum);
+            means[static_cast<std::size_t>(column)] += down * sum;
         }
     }
-    return halved;
-}
-
-std::vector<Color> halvedColumns(const std::vector<Color>& texels, std::int64_t width,
-                                 const Halving& rows) {
-    std::vector<Color> halved;
-    for (std::int64_t k = 0; k < rows.to; ++k) {
-        for (std::int64_t x = 0; x < width; ++x) {
-            Color sum(0.0);
-            for (std::int64_t j = rows.first(k); j < rows.end(k); ++j) {
-                sum += rows.weight(j, k) * texels[static_cast<std::size_t>(j * width + x)];
-            }
-            halved.push_back(sum);
-        }
-    }
-    return halved;
+    return means;
 }
 
 }  // namespace
 
-/// The image's own texels, decoded.
-std::vector<Color> Texture::decodedTexels() const {
-    std::vector<Color> texels;
-    for (int y = 0; y < image_.height; ++y) {
-        for (int x = 0; x < image_.width; ++x) {
-            const double down = (y + 0.5) / image_.height;
-            texels.push_back(
-                bilinear({(x + 0.5) / image_.width, settings_.flipV ? down : 1.0 - down}));
-        }
-    }
-    return texels;
-}
-
 void Texture::buildPyramid() {
-    int width = image_.width;
-    int height = image_.height;
-    std::vector<Color> texels = decodedTexels();
-    while (width > 1 || height > 1) {
+    const auto add = [this](int width, int height, auto texel) {
         const Halving columns(width);
         const Halving rows(height);
-        texels = halvedColumns(halvedRows(texels, columns), columns.to, rows);
-        width = static_cast<int>(columns.to);
-        height = static_cast<int>(rows.to);
-        levels_.push_back({width, height, texels});
+        Level level{columns.to, rows.to, {}};
+        level.texels.reserve(static_cast<std::size_t>(columns.to) *
+                             static_cast<std::size_t>(rows.to));
+        for (int k = 0; k < rows.to; ++k) {
+            for (const Color& c : halvedRow(columns, rows, k, texel)) {
+                level.texels.push_back(
+                    {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)});
+            }
+        }
+        levels_.push_back(std::move(level));
+    };
+    if (image_.width == 1 && image_.height == 1) return;
+    add(image_.width, image_.height, [this](int column, int row) {
+        const double down = (row + 0.5) / image_.height;
+        return bilinear({(column + 0.5) / image_.width, settings_.flipV ? down : 1.0 - down});
+    });
+    while (levels_.back().width > 1 || levels_.back().height > 1) {
+        const Level last = levels_.back();
+        add(last.width, last.height, [&last](int column, int row) {
+            const auto& texel =
+                last.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(last.width) +
+                            static_cast<std::size_t>(column)];
+            return Color(texel[0], texel[1], texel[2]);
+        });
     }
 }
 
@@ -97,11 +108,9 @@ std::size_t Texture::levelFor(const Vec2& a, const Vec2& b) const {
     const double longer = std::max(length(a), length(b));
     const double across = longer > 0.0 ? std::fabs(a.x * b.y - a.y * b.x) / longer : 0.0;
     std::size_t level = 0;
-    double texel = 1.0;
-    while (level < levels_.size() &&
-           (across >= 2.0 * kTexelsAcross * texel || !(longer <= kMostProbes * texel))) {
+    for (double texel = 2.0; level < levels_.size() && across >= kTexelsAcross * texel;
+         texel *= 2.0) {
         ++level;
-        texel *= 2.0;
     }
     return level;
 }
@@ -113,37 +122,37 @@ Color Texture::atLevel(std::size_t number, const Vec2& uv) const {
     const auto texel = [&](std::size_t column, std::size_t row) {
         return level.texels[row * static_cast<std::size_t>(level.width) + column];
     };
-    const Color upperLeft = texel(cell.left, cell.upper);
-    const Color upperRight = texel(cell.right, cell.upper);
-    const Color lowerLeft = texel(cell.left, cell.lower);
-    const Color lowerRight = texel(cell.right, cell.lower);
-    const auto channel = [&](int c) {
+    const std::array<float, 3> upperLeft = texel(cell.left, cell.upper);
+    const std::array<float, 3> upperRight = texel(cell.right, cell.upper);
+    const std::array<float, 3> lowerLeft = texel(cell.left, cell.lower);
+    const std::array<float, 3> lowerRight = texel(cell.right, cell.lower);
+    const auto channel = [&](std::size_t c) {
         return cell.blend(upperLeft[c], upperRight[c], lowerLeft[c], lowerRight[c]);
     };
     return {channel(0), channel(1), channel(2)};
 }
 
-Color Texture::filtered(const Vec2& uv, const Vec2& duvdx, const Vec2& duvdy) const {
+Color Texture::filtered(const Vec2& uv, const TextureFootprint& footprint) const {
     const Vec2 size(image_.width, image_.height);
-    const Vec2 a = duvdx * size;
-    const Vec2 b = duvdy * size;
+    const Vec2 a = footprint.across * size;
+    const Vec2 b = footprint.down * size;
+    if (!(glm::dot(a, a) + glm::dot(b, b) < kInfinity)) return bilinear(uv);
     const std::size_t level = levelFor(a, b);
     const double texel = std::ldexp(1.0, static_cast<int>(level));
-    const auto probes = [&](const Vec2& side) {
-        const double wanted = std::ceil(length(side) / texel);
-        return wanted > 1.0 ? static_cast<int>(std::min(wanted, kMostProbes)) : 1;
-    };
-    const int countA = probes(a);
-    const int countB = probes(b);
+    const int across = tapsAlong(length(a) / texel);
+    const int down = tapsAlong(length(b) / texel);
+    if (across * down == 1) return atLevel(level, uv);
     Color sum(0.0);
-    for (int j = 0; j < countB; ++j) {
-        for (int i = 0; i < countA; ++i) {
-            const double s = (i + 0.5) / countA - 0.5;
-            const double t = (j + 0.5) / countB - 0.5;
-            sum += atLevel(level, uv + s * duvdx + t * duvdy);
+    Vec2 place = footprint.phase;
+    for (int j = 0; j < down; ++j) {
+        for (int i = 0; i < across; ++i) {
+            const double s = (i + place.x) / across - footprint.phase.x;
+            const double t = (j + place.y) / down - footprint.phase.y;
+            sum += atLevel(level, uv + s * footprint.across + t * footprint.down);
+            place = {fraction(place.x + kStepAcross), fraction(place.y + kStepDown)};
         }
     }
-    return sum / static_cast<double>(countA * countB);
+    return sum / static_cast<double>(across * down);
 }
 
 }  // namespace rt

@@ -1,5 +1,6 @@
 #include "shade_point.h"
 
+#include "ray_differential.h"
 #include "rt/core/numeric.h"
 #include "rt/shading/bump.h"
 #include "scene_intersect.h"
@@ -20,10 +21,17 @@ Vec3 objectNormal(const Look& look, const SurfacePoint& surface, bool images) {
     return bumpedNormal(*look.bump, surface);
 }
 
+/// Normals cannot be averaged like colours, and vary with them: beside a bump map nothing is.
+Color textureColor(const Look& look, const SurfacePoint& surface, const Transform& transform,
+                   double t, const Beam* beam) {
+    if (!beam || look.bump) return look.texture->bilinear(surface.uv);
+    return look.texture->filtered(surface.uv, beam->on(surface, transform, t));
+}
+
 }  // namespace
 
 ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3& rayDirection,
-                      bool images) {
+                      bool images, const Beam* beam) {
     const Instance& instance = scene.instances[hit.instance];
     const Look& look = scene.looks[instance.look];
     const Transform& transform = instance.transform;
@@ -33,7 +41,9 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
 
     ShadePoint point;
     point.material = look.material;
-    if (images && look.texture) point.material.diffuse = look.texture->bilinear(surface.uv);
+    if (images && look.texture) {
+        point.material.diffuse = textureColor(look, surface, transform, hit.at.t, beam);
+    }
     const Vec3 shading = objectNormal(look, surface, images);
     const bool smooth = shading != surface.normal;
     if (transform.isIdentity()) {

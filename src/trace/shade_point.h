@@ -25,9 +25,12 @@ struct ShadePoint {
     }
 };
 
-/// `images`: whether textures and bump maps have to be looked up.
+struct Beam;
+
+/// `images`: whether textures and bump maps have to be looked up. Textures of surfaces without a
+/// bump map are averaged over the share of the pixel that a `beam` has.
 ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3& rayDirection,
-                      bool images);
+                      bool images, const Beam* beam = nullptr);
 
 /// w, sent to the side of the geometric surface where `side` (+1 the viewer's, -1 the other) is.
 inline Vec3 broughtToSide(const Vec3& w, const Vec3& geometricNormal, double side) {

@@ -27,6 +27,11 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     const Vec2 lens = scene_.camera.hasLens() ? concentricDisc(sampler_.lens()) : Vec2(0.0);
     Path path;
     path.ray = scene_.camera.ray(x + 0.5 + at.offset.x, y + 0.5 + at.offset.y, lens);
+    if constexpr (kImages) {
+        path.differential = cameraDifferential(scene_.camera, path.ray.direction);
+        share_ = pixelShare(static_cast<std::uint32_t>(index), settings_.textureShares,
+                            sampler_.pixelPoint());
+    }
     if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
     raysLeft_ = settings_.raysPerSample;
     filterWeight_ = std::fabs(at.weight);
@@ -57,7 +62,7 @@ void Tracer<Features>::follow(Path path, Sum& sum) {
             addMiss(path, sum);
             return;
         }
-        const ShadePoint point = shadePoint(scene_, hit, path.ray.direction, kImages);
+        const ShadePoint point = pointAt(path, hit);
         if constexpr (!kSecondary) {
             addOwn(path, 1.0, hit, point, sum);
             return;
@@ -73,11 +78,21 @@ void Tracer<Features>::follow(Path path, Sum& sum) {
                 ++counts_.rays.refraction;
                 through = spawn(path, hit, point, parts.refractedDirection, parts.refracted, 1);
                 through.media = std::move(beyond);
+                if constexpr (kImages) {
+                    through.differential =
+                        differentialBeyond(path.differential, scene_, path.ray, hit, point,
+                                           parts.refractedDirection, parts.indexRatio);
+                }
             }
             if (parts.reflected > 0.0) {
                 ++counts_.rays.reflection;
                 Path mirror = spawn(path, hit, point, parts.reflectedDirection, parts.reflected, 0);
                 mirror.media = std::move(path.media);
+                if constexpr (kImages) {
+                    mirror.differential =
+                        differentialBeyond(path.differential, scene_, path.ray, hit, point,
+                                           parts.reflectedDirection, 0.0);
+                }
                 if (parts.refracted > 0.0) {
                     pending_.push_back(std::move(mirror));
                 } else {
@@ -179,6 +194,7 @@ void Tracer<Features>::shineThrough(const Path& path, const SceneHit& hit, const
         return;
     }
     parts.refractedDirection = broughtToSide(*bent, point.geometricNormal, -1.0);
+    if (!sheet) parts.indexRatio = from / to;
     const double mirrorShare =
         look.fresnel ? fresnelReflectance(std::min(-glm::dot(d, n), 1.0), from, to) : 0.0;
     parts.reflected = shining * mirrorShare;
@@ -224,6 +240,17 @@ template <unsigned Features>
 void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit&,
                               const ShadePoint& point, SampleSum& sum) {
     sum.value += path.weight * own * ownColor(path, point);
+}
+
+template <unsigned Features>
+ShadePoint Tracer<Features>::pointAt(const Path& path, const SceneHit& hit) const {
+    if constexpr (kImages) {
+        const Beam beam{path.ray, path.differential, share_};
+        return shadePoint(scene_, hit, path.ray.direction, true,
+                          settings_.textureShares > 0 ? &beam : nullptr);
+    } else {
+        return shadePoint(scene_, hit, path.ray.direction, false);
+    }
 }
 
 template <unsigned Features>

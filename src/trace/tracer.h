@@ -3,6 +3,7 @@
 #pragma once
 
 #include "medium_set.h"
+#include "ray_differential.h"
 #include "rt/sampling/sampler.h"
 #include "rt/shading/light_sample.h"
 #include "rt/trace/trace_kernel.h"
@@ -10,6 +11,7 @@
 #include "shade_point.h"
 #include "shadow_hull.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace rt {
@@ -35,6 +37,10 @@ class Tracer {
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
     static constexpr bool kSecondary = kReflection || kRefraction;
 
+    struct Nothing {};
+    template <class Type>
+    using WithImages = std::conditional_t<kImages, Type, Nothing>;
+
     /// A ray that still has to be followed.
     struct Path {
         Ray ray;
@@ -44,6 +50,7 @@ class Tracer {
         /// Names the place in the tree of paths: what n mirrors is 2n, what shines through is 2n+1.
         std::uint32_t node = 1;
         MediumSet media;  ///< the solids that the ray is inside
+        [[no_unique_address]] WithImages<RayDifferential> differential;
     };
 
     /// How the value at a hit is made up; the weights add up to 1.
@@ -53,6 +60,7 @@ class Tracer {
         double refracted = 0.0;
         Vec3 reflectedDirection{0.0};
         Vec3 refractedDirection{0.0};
+        double indexRatio = 1.0;  ///< of the refracted ray, from over to
     };
 
     /// The value of one sample.
@@ -95,6 +103,7 @@ class Tracer {
     void cutSmall(const Path& path, double& part, Split& parts);
     Path spawn(const Path& from, const SceneHit& hit, const ShadePoint& point,
                const Vec3& direction, double part, unsigned branch) const;
+    ShadePoint pointAt(const Path& path, const SceneHit& hit) const;
 
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
@@ -130,6 +139,7 @@ class Tracer {
     Sampler sampler_;
     std::uint64_t raysLeft_ = 0;
     double filterWeight_ = 1.0;  ///< of the sample, without its sign
+    [[no_unique_address]] WithImages<PixelShare> share_;
     std::vector<Path> pending_;
     /// The crossings at the last hit: one, or several where surfaces coincide.
     std::vector<SceneHit> together_;

@@ -16,6 +16,10 @@ void Tracer<Features>::probe(int x, int y, int spacing, std::uint32_t end, Probe
     sampler_.start(x - kOtherPixels, y, 0);
     Path path;
     path.ray = scene_.camera.ray(x, y, Vec2(0.0));
+    if constexpr (kImages) {
+        path.differential = cameraDifferential(scene_.camera, path.ray.direction);
+        share_ = {};
+    }
     if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
     raysLeft_ = settings_.raysPerSample;
     ++counts_.rays.camera;

@@ -250,6 +250,37 @@ class Rendering(EndToEnd):
         self.assertIn(b"bad.lua:2", done.stderr)
         self.assertIn(b"bare", done.stderr)
 
+    TEXTURED = """
+        local root = gr.node('r')
+        root:add_child(gr.nh_box('b', {-1, -1, -1}, 2), nil, gr.texture('%s', {0, 0, 0}, 0))
+        gr.render(root, '%s', 8, 8, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 20, {1, 1, 1}, {})"""
+
+    def test_openimageio_is_opened_only_where_a_scene_needs_it(self):
+        self.write("ball.lua", BALL)
+        self.run_project("ball.lua", "-q", "--spp", "1")
+        os.rename(self.path("ball.png"), self.path("image.png"))
+        for picture, opened in ("image.png", False), ("image.tif", True):
+            with self.subTest(picture):
+                self.write("scene.lua", self.TEXTURED % (picture, "out.png"))
+                if opened:
+                    self.run_project("ball.lua", "-q", "--spp", "1", "-o", picture)
+                done = self.run_project("scene.lua", "-q", "--spp", "1", env={"LD_DEBUG": "files"})
+                self.assertEqual(b"libOpenImageIO" in done.stderr, opened)
+
+    def test_textures_in_every_format_that_is_written_here_look_alike(self):
+        self.write("ball.lua", BALL)
+        pictures = []
+        for ending in "png", "tif", "exr", "hdr":
+            # 16 bits, so that a PNG is as near to the values as the rest.
+            self.run_project("ball.lua", "-q", "--spp", "4", "--bits", "16", "-o", "image." + ending)
+            self.write("scene.lua", self.TEXTURED % ("image." + ending, "out.pfm"))
+            self.run_project("scene.lua", "-q", "--spp", "4")
+            _, _, rows = pfm(self.path("out.pfm"))
+            pictures.append([value for row in rows for pixel in row for value in pixel])
+        for other in pictures[1:]:
+            self.assertLess(max(abs(a - b) for a, b in zip(pictures[0], other)), 0.004)
+        self.assertGreater(max(pictures[0]) - min(pictures[0]), 0.1)
+
     def test_several_renders_and_folders_that_are_missing(self):
         self.write("scene.lua", BALL + BALL.replace("ball.png", "made/deeper/ball.png"))
         self.run_project("scene.lua", "-q")

@@ -183,6 +183,55 @@ TEST_CASE("five channels give the first three") {
     CHECK(samplesOf<std::uint8_t>(image) == Bytes{1, 2, 3});
 }
 
+TEST_CASE("the limit of pixels holds in every format, before anything is decoded") {
+    const std::vector<std::uint8_t> codes(8 * 8 * 3, 90);
+    const std::vector<float> values(8 * 8 * 3, 0.5f);
+    const std::pair<const char*, Bytes> files[] = {
+        {"a.jpg", throughOiio("jpeg", codes, 8, 8, 3)},
+        {"a.tif", throughOiio("tiff", codes, 8, 8, 3)},
+        {"a.tga", throughOiio("targa", codes, 8, 8, 3)},
+        {"a.bmp", throughOiio("bmp", codes, 8, 8, 3)},
+        {"a.exr", throughOiio("openexr", values, 8, 8, 3)},
+        {"a.hdr", throughOiio("hdr", values, 8, 8, 3)},
+    };
+    for (const auto& [name, bytes] : files) {
+        CAPTURE(name);
+        CHECK(load(name, bytes, {64, "--max-pixels"}).image.width == 8);
+        CHECK_THROWS_AS(load(name, bytes, {63, "--max-pixels"}), LimitError);
+        // The rest of the file is not looked at: without it the answer is the same.
+        Bytes cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() - 8));
+        CHECK_THROWS_AS(load(name, cut, {63, "--max-pixels"}), LimitError);
+    }
+}
+
+TEST_CASE("more than 64 channels are refused, 64 give the first three") {
+    for (const std::string format : {"tiff", "openexr"}) {
+        CAPTURE(format);
+        const std::string name = format == "tiff" ? "a.tif" : "a.exr";
+        for (const int channels : {64, 65}) {
+            std::vector<float> values;
+            for (int c = 0; c < channels; ++c) values.push_back(static_cast<float>(c + 1) / 128.0f);
+            const Bytes file = throughOiio(format.c_str(), values, 1, 1, channels);
+            if (channels > 64) {
+                CHECK_THROWS_AS(load(name, file), SceneError);
+                continue;
+            }
+            const Image image = load(name, file).image;
+            CHECK(image.channels == 3);
+        }
+    }
+}
+
+TEST_CASE("a grey JPEG, TIFF or EXR has one channel, and so can be a height map") {
+    const std::vector<std::uint8_t> codes(16 * 16, 77);
+    CHECK(load("a.jpg", throughOiio("jpeg", codes, 16, 16, 1)).image.channels == 1);
+    CHECK(load("a.tif", throughOiio("tiff", codes, 16, 16, 1)).image.channels == 1);
+    const std::vector<float> heights(16, 0.25f);
+    const Image exr = load("a.exr", throughOiio("openexr", heights, 4, 4, 1)).image;
+    CHECK(exr.channels == 1);
+    CHECK(samplesOf<float>(exr) == heights);
+}
+
 TEST_CASE("the content says what a file is, whatever its name") {
     const Bytes file = png({1, 2, 3}, 1, 1, LCT_RGB, 8);
     const Loaded loaded = load("a.jpg", file);

@@ -36,7 +36,7 @@ class AssetCache {
     int threads_;
     std::map<std::pair<std::string, double>, std::shared_ptr<const MeshShape>> files_;
     std::map<std::pair<Index, double>, std::shared_ptr<const MeshShape>> tables_;
-    std::map<std::tuple<std::string, bool, bool>, std::shared_ptr<const Texture>> images_;
+    std::map<std::tuple<std::string, bool, bool, bool>, std::shared_ptr<const Texture>> images_;
 };
 
 }  // namespace rt

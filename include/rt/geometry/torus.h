@@ -28,6 +28,7 @@ class Torus {
     /// Refuses radii that are not > 0 and finite (std::invalid_argument).
     Torus(const Vec3& centre, double majorRadius, double minorRadius);
 
+    double minorRadius() const { return minor_; }
     Bounds bounds() const;
     /// The nearest crossing in `range`, if any. `hit.local` is relative to the centre and within a
     /// few roundings of R + r of the surface. Parts: 0 the tube, 1 the lemon. A crossing that

@@ -49,7 +49,10 @@ class Sampler {
     void turnTo(std::uint32_t index) { index_ = index; }
 
     /// Where in the image plane, and what the sample counts for.
-    FilterSample pixel() const { return filter_->sample(point(SobolPair::kPixel, 0)); }
+    FilterSample pixel() const { return filter_->sample(pixelPoint()); }
+
+    /// The point of the unit square behind pixel().
+    Vec2 pixelPoint() const { return point(SobolPair::kPixel, 0); }
 
     /// A point of the unit square for the lens.
     Vec2 lens() const { return point(SobolPair::kLens, 1); }

@@ -13,6 +13,7 @@
 #include "rt/core/vec.h"
 #include "rt/image/image.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,7 +22,14 @@ namespace rt {
 struct TextureSettings {
     bool flipV = false;      ///< v = 0 at the top of the image
     bool srgb = false;       ///< 8 and 16 bits hold sRGB values, to be made linear
-    bool prefilter = false;  ///< build the pyramid for `filtered`: a third of the image, in floats
+    bool prefilter = false;  ///< build the pyramid for `filtered`: 4 bytes a texel of the image
+};
+
+/// A parallelogram of uv space, of which a uv that is looked up is one point.
+struct TextureFootprint {
+    Vec2 across{0.0};
+    Vec2 down{0.0};
+    Vec2 phase{0.5};  ///< where the uv lies in it, 0 .. 1 along each side
 };
 
 class Texture {
@@ -44,11 +52,13 @@ class Texture {
     /// bilinear between them, and so continuous.
     Vec2 gradient(const Vec2& uv) const;
 
-    /// The mean over the parallelogram uv + s duvdx + t duvdy, |s|, |t| <= 1/2, from a pyramid of
-    /// area means (Williams, "Pyramidal Parametrics", SIGGRAPH 1983), sampled along both sides.
-    /// Without `prefilter`, and where the parallelogram is no larger than a texel, it samples the
-    /// full resolution.
-    Color filtered(const Vec2& uv, const Vec2& duvdx, const Vec2& duvdy) const;
+    /// The mean over a footprint, from taps in it: of the full resolution, or where it is many
+    /// texels wide of a pyramid of area means (Williams, "Pyramidal Parametrics", SIGGRAPH 1983)
+    /// whose texels are small beside it. The footprint's cells have one tap each, `phase` deciding
+    /// where: for a phase that is uniform each tap is uniform in its cell, and without a pyramid
+    /// the expectation is exactly the mean. The first tap is the uv itself where there is but one:
+    /// for a footprint of no more than a texel, of more than numbers hold, or of NaN.
+    Color filtered(const Vec2& uv, const TextureFootprint& footprint) const;
 
     /// No look-up gives more than this in any channel.
     double largestValue() const;
@@ -58,11 +68,10 @@ class Texture {
     struct Level {
         int width;
         int height;
-        std::vector<Color> texels;
+        std::vector<std::array<float, 3>> texels;
     };
 
     Vec2 onImage(const Vec2& uv) const;
-    std::vector<Color> decodedTexels() const;
     void buildPyramid();
     Color atLevel(std::size_t level, const Vec2& uv) const;
     std::size_t levelFor(const Vec2& a, const Vec2& b) const;

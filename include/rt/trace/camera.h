@@ -33,6 +33,10 @@ class Camera {
         double x, y, depth;
     };
     Projection project(const Vec3& p) const;
+    const Vec3& forward() const { return forward_; }
+    /// Steps on the plane at distance 1 from one pixel to the next.
+    const Vec3& perPixelRight() const { return perPixelRight_; }
+    const Vec3& perPixelDown() const { return perPixelDown_; }
 
     /// The ray through image point (x, y), in pixels; `lens` is a point of the unit disc.
     /// The direction has unit length.
@@ -41,7 +45,7 @@ class Camera {
   private:
     Vec3 eye_{0.0};
     Vec3 forward_{0.0, 0.0, -1.0};
-    Vec3 perPixelRight_{0.0};  ///< step on the plane at distance 1 from one pixel to the next
+    Vec3 perPixelRight_{0.0};
     Vec3 perPixelDown_{0.0};
     Vec3 right_{0.0};
     Vec3 up_{0.0};

@@ -21,6 +21,9 @@ struct TraceSettings {
     std::uint64_t seed = 0;
     SamplerKind sampler = SamplerKind::kJoint;
     FilterKind filter = FilterKind::kBox;
+    /// Textures are averaged over a sample's share of its pixel: one of so many cells, or of as many
+    /// as there were samples before it (sampling/pixel_share.h). 0: read at full resolution.
+    std::uint32_t textureShares = 128;
     /// Once true, pixels are left with the samples that they have; looked at now and then.
     const std::atomic<bool>* cancel = nullptr;
 };

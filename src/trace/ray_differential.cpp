@@ -1,0 +1,118 @@
+#include "ray_differential.h"
+
+#include "rt/geometry/curvature.h"
+#include "rt/shading/fresnel.h"
+#include "scene_intersect.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rt {
+namespace {
+
+/// Where the ray's neighbour meets the plane through the hit, relative to it.
+Vec3 onPlane(const Vec3& apart, const Vec3& direction, const Vec3& normal) {
+    return apart - direction * (glm::dot(apart, normal) / glm::dot(direction, normal));
+}
+
+struct NormalChange {
+    const PrimitiveHit& hit;
+    const Vec3& along;
+
+    template <class Solid>
+    Vec3 operator()(const Solid& solid) const {
+        return normalChange(solid, hit, along);
+    }
+    Vec3 operator()(const std::shared_ptr<const MeshShape>& shape) const {
+        return normalChange(shape->mesh, hit, along);
+    }
+};
+
+/// The derivative of the unit normal `n`, which may be turned to either side, in the world.
+Vec3 worldNormalChange(const RenderScene& scene, const SceneHit& hit, const Vec3& n,
+                       const Vec3& along) {
+    const Instance& instance = scene.instances[hit.instance];
+    const Shape& shape = scene.shapes[instance.shape];
+    const Affine& toObject = instance.transform.toObject();
+    const Vec3 alongInObject = toObject.vector(along);
+    const Vec3 change = std::visit(NormalChange{hit.at, alongInObject}, shape);
+    if (change == Vec3(0.0)) return change;
+    const Vec3 outside = surfaceAt(scene, hit, SurfaceDetail::kShape).shadingNormal;
+    const Mat3 forNormals = glm::transpose(toObject.linear);
+    const Vec3 moved = forNormals * change;
+    const Vec3 normal = forNormals * outside;
+    const double side = glm::dot(normal, n) < 0.0 ? -1.0 : 1.0;
+    return side * (moved - glm::dot(moved, n) * n) / glm::length(normal);
+}
+
+RayDifferential unknown() {
+    const Vec3 nan(std::numeric_limits<double>::quiet_NaN());
+    return {{{{nan, nan}, {nan, nan}}}};
+}
+
+}  // namespace
+
+RayDifferential cameraDifferential(const Camera& camera, const Vec3& direction) {
+    const auto by = [&](const Vec3& perPixel) {
+        // The derivative of a vector that is made unit, of a length whose inverse is D . forward.
+        const Vec3 change = perPixel - glm::dot(perPixel, direction) * direction;
+        return RayDifferential::By{Vec3(0.0), glm::dot(direction, camera.forward()) * change};
+    };
+    return {{by(camera.perPixelRight()), by(camera.perPixelDown())}};
+}
+
+RayDifferential differentialBeyond(const RayDifferential& before, const RenderScene& scene,
+                                   const Ray& ray, const SceneHit& hit, const ShadePoint& point,
+                                   const Vec3& direction, double ratio) {
+    const bool straight = ratio == 1.0;
+    const Vec3& d = ray.direction;
+    const Look& look = scene.looks[scene.instances[hit.instance].look];
+    const bool facing = glm::dot(d, point.normal) < 0.0;
+    const Vec3& n = facing ? point.normal : point.geometricNormal;
+    // The slope of a bump map's normals is not followed, nor that of directions brought to a side.
+    if (!straight && look.bump) return unknown();
+    if (ratio == 0.0 && direction != mirrored(d, n)) return unknown();
+    RayDifferential after;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const RayDifferential::By& by = before.by[i];
+        const Vec3 along = onPlane(by.position + hit.at.t * by.direction, d, point.geometricNormal);
+        after.by[i].position = along;
+        if (straight) {
+            after.by[i].direction = by.direction;
+            continue;
+        }
+        const Vec3 dn = facing ? worldNormalChange(scene, hit, n, along) : Vec3(0.0);
+        const double c = -glm::dot(d, n);
+        const double dc = -(glm::dot(by.direction, n) + glm::dot(d, dn));
+        if (ratio == 0.0) {
+            after.by[i].direction = by.direction + 2.0 * (c * dn + dc * n);
+        } else {
+            const double beyond = -glm::dot(direction, n);
+            const double dBeyond = ratio * ratio * c * dc / beyond;
+            after.by[i].direction =
+                ratio * by.direction + (ratio * c - beyond) * dn + (ratio * dc - dBeyond) * n;
+        }
+    }
+    return after;
+}
+
+TextureFootprint Beam::on(const SurfacePoint& surface, const Transform& transform, double t) const {
+    const Affine& toObject = transform.toObject();
+    const Vec3 direction = toObject.vector(ray.direction);
+    // uv of a step in the tangent plane: step = dpdu u + dpdv v.
+    const double uu = glm::dot(surface.dpdu, surface.dpdu);
+    const double uv = glm::dot(surface.dpdu, surface.dpdv);
+    const double vv = glm::dot(surface.dpdv, surface.dpdv);
+    const double determinant = uu * vv - uv * uv;
+    const auto by = [&](const RayDifferential::By& change, double size) {
+        const Vec3 apart = toObject.vector(size * (change.position + t * change.direction));
+        const Vec3 step = onPlane(apart, direction, surface.normal);
+        const double alongU = glm::dot(step, surface.dpdu);
+        const double alongV = glm::dot(step, surface.dpdv);
+        return Vec2(alongU * vv - alongV * uv, alongV * uu - alongU * uv) / determinant;
+    };
+    return {by(differential.by[0], share.size.x), by(differential.by[1], share.size.y),
+            share.phase};
+}
+
+}  // namespace rt
