@@ -156,7 +156,7 @@ TEST_CASE("pixels are sampled where surfaces, sharp shadows, detail or folds com
         Adaptive adaptive(film, &lattice, {});
         adaptive.classify(1.0);
         const AdaptivePass pass = adaptive.first(4);
-        CHECK(pass.pixels[film.offset(0, 0)] == 0);
+        CHECK(pass.pixels[film.offset(0, 0)] <= 1);
         return pass.pixels[film.offset(4, 4)] == 4;
     };
     CHECK_FALSE(sampledNear([](Lattice&) {}));
