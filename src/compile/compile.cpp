@@ -28,16 +28,6 @@ double largestElement(const Mat3& m) {
     return largest;
 }
 
-struct BoundsOfShape {
-    template <class Solid>
-    Bounds operator()(const Solid& solid) const {
-        return solid.bounds();
-    }
-    Bounds operator()(const std::shared_ptr<const MeshShape>& shape) const {
-        return shape->tree.bounds();
-    }
-};
-
 double largest(const Bounds& bounds) {
     const Vec3 v = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
     return std::max({v.x, v.y, v.z});
@@ -259,7 +249,7 @@ class Compiler {
         std::vector<PaddedBox> padded;
         boxes.reserve(out_.instances.size());
         for (const Instance& instance : out_.instances) {
-            const Bounds local = std::visit(BoundsOfShape{}, out_.shapes[instance.shape]);
+            const Bounds local = boundsOf(out_.shapes[instance.shape]);
             boxes.push_back(instance.transform.boundsToWorld(local));
             out_.boxes.push_back(placedBox(instance.transform, local));
             padded.push_back(worldBox(instance.transform, local, boxes.back()));

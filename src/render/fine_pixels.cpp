@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <variant>
 
 namespace rt {
 namespace {
@@ -14,20 +13,10 @@ constexpr double kNarrow = 3.0;
 /// Nothing nearer than this share of its distance to the eye's plane is projected.
 constexpr double kNearest = 0x1p-20;
 
-struct BoundsOf {
-    template <class Solid>
-    Bounds operator()(const Solid& solid) const {
-        return solid.bounds();
-    }
-    Bounds operator()(const std::shared_ptr<const MeshShape>& mesh) const {
-        return mesh->tree.bounds();
-    }
-};
-
 /// The corners of an instance's box on the image plane; false where some lie beside or behind the
 /// eye.
 bool project(const RenderScene& scene, const Instance& instance, std::array<Vec2, 8>& points) {
-    const Bounds box = std::visit(BoundsOf{}, scene.shapes[instance.shape]);
+    const Bounds box = boundsOf(scene.shapes[instance.shape]);
     for (std::size_t i = 0; i < 8; ++i) {
         const Vec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
                           i & 4 ? box.max.z : box.min.z);

@@ -92,20 +92,12 @@ struct BehindTangentPlane {
     bool operator()(const std::shared_ptr<const MeshShape>&) const { return false; }
 };
 
-struct ThicknessOf {
-    double objectScale;
-
-    template <class Solid>
-    double operator()(const Solid& solid) const {
-        const Vec3 size = solid.bounds().extent();
-        return objectScale > 0.0 ? std::min({size.x, size.y, size.z}) / objectScale : 0.0;
-    }
-    double operator()(const std::shared_ptr<const MeshShape>&) const { return kInfinity; }
-};
+bool isMesh(const Shape& shape) {
+    return std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
+}
 
 bool isConvex(const Shape& shape) {
-    return !std::holds_alternative<Torus>(shape) &&
-           !std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
+    return !std::holds_alternative<Torus>(shape) && !isMesh(shape);
 }
 
 /// Calls found(item) for the leaves of the tree whose boxes the hull may meet.
@@ -196,7 +188,11 @@ Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index ex
 
 double thicknessOf(const RenderScene& scene, Index item) {
     const Instance& instance = scene.instances[item];
-    return std::visit(ThicknessOf{instance.objectScale}, scene.shapes[instance.shape]);
+    const Shape& shape = scene.shapes[instance.shape];
+    if (isMesh(shape)) return kInfinity;
+    if (!(instance.objectScale > 0.0)) return 0.0;
+    const Vec3 size = boundsOf(shape).extent();
+    return std::min({size.x, size.y, size.z}) / instance.objectScale;
 }
 
 bool anyBlocks(const RenderScene& scene, const Occluders& occluders, const Ray& ray,

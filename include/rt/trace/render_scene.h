@@ -30,6 +30,9 @@ struct MeshShape {
 
 using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>>;
 
+/// In the shape's own space.
+Bounds boundsOf(const Shape& shape);
+
 /// What a surface does with light, all of it resolved.
 struct Look {
     Material material;
