@@ -34,6 +34,32 @@ TraceSettings settingsFor(const RenderJob& job) {
     return settings;
 }
 
+/// Calls trace(ends, values) with a tile's part of the values, row-major, and puts back what it
+/// made of them; not at all where no value lacks samples. `grid` knows the places of rows.
+template <class Grid, class Value, class Trace>
+void onTile(const Tile& tile, const Grid& grid, std::vector<Value>& values,
+            const std::vector<std::uint32_t>& ends, const Trace& trace) {
+    std::vector<Value> tileValues;
+    std::vector<std::uint32_t> tileEnds;
+    tileValues.reserve(static_cast<std::size_t>(tile.width() * tile.height()));
+    tileEnds.reserve(tileValues.capacity());
+    bool lacking = false;
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        const std::size_t row = grid.offset(tile.x0, y);
+        for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width()); ++i) {
+            lacking = lacking || ends[i] > values[i].samples;
+            tileValues.push_back(values[i]);
+            tileEnds.push_back(ends[i]);
+        }
+    }
+    if (!lacking) return;
+    trace(tileEnds.data(), tileValues.data());
+    const Value* done = tileValues.data();
+    for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
+        std::copy(done, done + tile.width(), &values[grid.offset(tile.x0, y)]);
+    }
+}
+
 /// The state that the threads of one render share.
 class Run {
   public:
@@ -92,45 +118,19 @@ class Run {
   private:
     void probeTile(const Tile& tile, const std::vector<std::uint32_t>& ends, Lattice& lattice,
                    TraceCounts& counts) {
-        std::vector<Probe> probes;
-        std::vector<std::uint32_t> tileEnds;
-        bool any = false;
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            const std::size_t row = lattice.offset(tile.x0, y);
-            for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width()); ++i) {
-                any = any || ends[i] > lattice.probes[i].samples;
-                probes.push_back(lattice.probes[i]);
-                tileEnds.push_back(ends[i]);
-            }
-        }
-        if (!any) return;
-        job_.kernel->probeTile(scene_, settings_, tile, lattice.spacing, tileEnds.data(),
-                               probes.data(), counts);
-        const Probe* done = probes.data();
-        for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
-            std::copy(done, done + tile.width(), &lattice.probes[lattice.offset(tile.x0, y)]);
-        }
+        const auto trace = [&](const std::uint32_t* tileEnds, Probe* probes) {
+            job_.kernel->probeTile(scene_, settings_, tile, lattice.spacing, tileEnds, probes,
+                                   counts);
+        };
+        onTile(tile, lattice, lattice.probes, ends, trace);
     }
 
     void renderTile(std::size_t index, const std::vector<std::uint32_t>& ends) {
         const Tile& tile = tiles_[index];
-        std::vector<PixelState> pixels;
-        std::vector<std::uint32_t> tileEnds;
-        pixels.reserve(static_cast<std::size_t>(tile.width() * tile.height()));
-        tileEnds.reserve(pixels.capacity());
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            const auto row = static_cast<std::ptrdiff_t>(film_.offset(tile.x0, y));
-            const auto width = tile.width();
-            pixels.insert(pixels.end(), film_.pixels.begin() + row,
-                          film_.pixels.begin() + row + width);
-            tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + row + width);
-        }
-        job_.kernel->renderTile(scene_, settings_, tile, tileEnds.data(), pixels.data(),
-                                counts_[index]);
-        const PixelState* done = pixels.data();
-        for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
-            std::copy(done, done + tile.width(), &film_.at(tile.x0, y));
-        }
+        const auto trace = [&](const std::uint32_t* tileEnds, PixelState* pixels) {
+            job_.kernel->renderTile(scene_, settings_, tile, tileEnds, pixels, counts_[index]);
+        };
+        onTile(tile, film_, film_.pixels, ends, trace);
     }
 
     void report(double from, double to) {
