@@ -1,0 +1,128 @@
+// The Tracer's light at one point: Phong's local colour by one direction to each light, and what
+// the objects in its way let through.
+#pragma once
+
+#include "rt/core/numeric.h"
+#include "rt/sampling/warp.h"
+#include "rt/shading/fresnel.h"
+#include "rt/shading/phong.h"
+#include "tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace rt {
+
+template <unsigned Features>
+Color Tracer<Features>::ownColor(const Path& path, const ShadePoint& point) {
+    Color sum = point.material.diffuse * scene_.ambient;
+    for (Index light = 0; light < scene_.lights.size(); ++light) {
+        sum += lightFrom(light, path, point);
+    }
+    return sum;
+}
+
+template <unsigned Features>
+Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoint& point) {
+    const Light& light = scene_.lights[index];
+    const std::optional<LightView> view = viewOf(light, point.position);
+    if (!view) return Color(0.0);
+    Vec3 w = view->axis;
+    if constexpr (kAreaLights) {
+        if (!view->isPoint()) {
+            w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
+        }
+    }
+    const Color local = lightAlong(w, light, *view, path, point);
+    if (local == Color(0.0)) return local;
+    return visibilityOf(w, view->reach(w), path.media, point, nullptr) * local;
+}
+
+/// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing
+/// stands between the point and there: no light comes from beyond something else. What blocks is
+/// among `occluders`, where these are known.
+template <unsigned Features>
+double Tracer<Features>::visibilityOf(const Vec3& w, double reach, const MediumSet& media,
+                                      const ShadePoint& point, const Occluders* occluders) {
+    const auto seen = [&](const Vec3& from) {
+        const Ray ray{point.leave(from, w), w};
+        return occluders ? visibilityPast(*occluders, ray, reach, media)
+                         : visibility(ray, reach, media);
+    };
+    const double visible = seen(point.position);
+    if (visible > 0.0 || !point.isRounded()) return visible;
+    const double rounded = seen(point.shadowOrigin);
+    if (rounded == 0.0) return 0.0;
+    const Vec3 lift = point.shadowOrigin - point.position;
+    const double height = glm::length(lift);
+    ++counts_.rays.shadow;
+    const Ray up{point.leave(point.position, point.geometricNormal), lift / height};
+    return anyHit(scene_, up, {0.0, height}) ? 0.0 : rounded;
+}
+
+/// What light from direction w would bring, with nothing in its way.
+template <unsigned Features>
+Color Tracer<Features>::lightAlong(const Vec3& w, const Light& light, const LightView& view,
+                                   const Path& path, const ShadePoint& point) const {
+    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
+    return view.weight * view.irradiance *
+           phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
+}
+
+/// V of the specification. A surface that the light itself lies on does not hide it.
+template <unsigned Features>
+double Tracer<Features>::visibility(const Ray& ray, double reach, const MediumSet& media) {
+    const double last = reach * (1.0 - kCoincidence);
+    if constexpr (kRefraction) {
+        return visibilityThroughGlass(ray, last, media);
+    } else {
+        ++counts_.rays.shadow;
+        return anyHit(scene_, ray, {0.0, last}) ? 0.0 : 1.0;
+    }
+}
+
+template <unsigned Features>
+double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet media) {
+    double visible = 1.0;
+    for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
+        if (left == 0) {
+            ++counts_.cutPaths;
+            counts_.cutBound += filterWeight_ * visible * scene_.radianceBound;
+            return 0.0;
+        }
+        ++counts_.rays.shadow;
+        SceneHit hit;
+        if (!nextHit(ray, media, {0.0, reach}, hit)) return visible;
+        if (!lookOf(hit.instance).refracts) return 0.0;
+        const ShadePoint point = shadePoint(scene_, hit, ray.direction, kImages);
+        MediumSet beyond = beyondHit(media);
+        visible *= transmitted(ray.direction, hit, point, media, beyond);
+        reach -= hit.at.t;
+        ray.origin = point.leave(point.position, ray.direction);
+        media = std::move(beyond);
+    }
+    return 0.0;
+}
+
+/// What one crossing lets through of light that goes straight on: (1 - F), and (1 - f) of every
+/// object that the light enters. It comes along the ray backwards, so it enters what the ray
+/// leaves.
+template <unsigned Features>
+double Tracer<Features>::transmitted(const Vec3& direction, const SceneHit& hit,
+                                     const ShadePoint& point, const MediumSet& media,
+                                     const MediumSet& beyond) const {
+    const double from = media.index(scene_);
+    const double to = isSheet(hit.instance) ? lookOf(hit.instance).index : beyond.index(scene_);
+    const double cosine = std::min(std::fabs(glm::dot(direction, point.normal)), 1.0);
+    double share = 1.0 - fresnelFromThinSide(cosine, from, to);
+    for (const SceneHit& crossing : together_) {
+        if (isEntered(crossing.instance, beyond)) {
+            share *= 1.0 - lookOf(crossing.instance).refractionOwnWeight;
+        }
+    }
+    return share;
+}
+
+}  // namespace rt
