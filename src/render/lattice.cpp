@@ -1,5 +1,7 @@
 #include "rt/render/lattice.h"
 
+#include "rt/core/numeric.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,9 +13,6 @@ namespace {
 /// other's tangent planes than this share of their distance, see a bend between them.
 constexpr float kSmoothBend = 0.94F;
 constexpr float kSmoothRise = 0.35F;
-
-/// Positions are single precision, relative to the eye: a rise below this is rounding.
-constexpr float kRounding = 1e-6F;
 
 /// What is left of the correction by second differences, as a share of it.
 constexpr double kLeftByCorrection = 0.5;
@@ -42,7 +41,7 @@ bool isOneSurface(const Probe& a, const Probe& b) {
     const float rise =
         std::max(std::fabs(glm::dot(a.normal, step)), std::fabs(glm::dot(b.normal, step)));
     if (rise == 0.0F) return true;
-    return rise <= kSmoothRise * glm::length(step) + kRounding * glm::length(a.position);
+    return rise <= kSmoothRise * glm::length(step) + kProbePositionError * glm::length(a.position);
 }
 
 }  // namespace

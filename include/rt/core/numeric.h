@@ -116,6 +116,10 @@ inline constexpr double kTorusSmallestMoment = 0x1p-900;
 /// Bound on the relative error of rounding a double to float, outwards.
 inline constexpr double kFloatRounding = 0x1p-23;
 
+/// Distances between positions that are kept in single precision relative to the eye, and products
+/// with unit normals in it, are off by eight of its roundings of the positions' length.
+inline constexpr float kProbePositionError = 0x1p-20F;
+
 /// How far the planes of boxes are moved outwards, in units of half the extent of their tree.
 /// A slab test there (origin within 4 of the centre, parameter below 6, slopes below 2) is off by
 /// at most 30 roundings to float, 2^-24 each: 4 for the origin, 12 for the slope, 5 for its
