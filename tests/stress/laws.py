@@ -214,6 +214,8 @@ def resting_sphere(rng, studio, report, repeat):
     light = [far * math.cos(turn_angle), far * lowness, far * math.sin(turn_angle)]
     centre = [0.0, radius, 0.0]
     heading = random_unit(rng)
+    while 7 * math.hypot(heading[0], heading[2]) <= radius:    # the eye would be in the sphere, or above its top
+        heading = random_unit(rng)
     eye = [7 * heading[0], rng.uniform(1, 6), 7 * heading[2]]
     view, up, fov = add([0, radius / 2, 0], eye, -1.0), [0.0, 1.0, 0.0], 35
     script = "root = gr.node('root')\nroot:add_child(gr.nh_sphere('s', %s, %s), %s)\n" % (triple(centre), number(radius), MATT)
