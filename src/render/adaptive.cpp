@@ -76,7 +76,8 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
       width_(static_cast<std::size_t>(film.area.width())),
       fine_(std::move(fine)),
       kind_(film.pixels.size(), Kind::kSampled),
-      pixelError_(film.pixels.size()) {
+      pixelError_(film.pixels.size()),
+      classified_(lattice == nullptr) {
     if (lattice_) {
         smoothPixels_.emplace(*lattice_);
         bias_.resize(film.pixels.size());
@@ -104,6 +105,13 @@ void Adaptive::classify(double squaredBiasLimit) {
         if (!uncertain) settle(pixel);
     }
     listPlaces();
+    classified_ = true;
+}
+
+bool Adaptive::knowsError() const {
+    return classified_ && std::all_of(sampled_.begin(), sampled_.end(), [&](std::size_t pixel) {
+               return film_.pixels[pixel].samples >= 2;
+           });
 }
 
 void Adaptive::listPlaces() {
@@ -329,7 +337,23 @@ void Adaptive::settle(std::size_t pixel) {
     film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
 }
 
+void Adaptive::settleUnclassified(std::size_t pixel) {
+    const std::size_t corner = cornerOf(pixel);
+    const std::size_t below = corner + lattice_->stride();
+    glm::vec3 sum(0.0F);
+    int seen = 0;
+    for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
+        if (lattice_->probes[i].samples == 0) continue;
+        sum += lattice_->probes[i].mean();
+        ++seen;
+    }
+    if (seen > 0) film_.pixels[pixel] = {Color(sum / static_cast<float>(seen)), Color(0.0), 1};
+}
+
 void Adaptive::settle() {
+    if (!classified_) {
+        for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) settleUnclassified(pixel);
+    }
     for (const std::size_t pixel : uncertainPixels_) settle(pixel);
 }
 

@@ -51,10 +51,15 @@ std::vector<bool> CoarseLattice::toldCells(const SmoothPixels& cells, const Latt
         }
         return false;
     };
+    const auto wasSeen = [&](std::size_t cell) {
+        const std::size_t below = cell + lattice_.stride();
+        return lattice_.probes[cell].samples > 0 && lattice_.probes[cell + 1].samples > 0 &&
+               lattice_.probes[below].samples > 0 && lattice_.probes[below + 1].samples > 0;
+    };
     for (int y = corners.y0; y + 1 < corners.y1; ++y) {
         for (int x = corners.x0; x + 1 < corners.x1; ++x) {
             const std::size_t cell = lattice_.offset(x, y);
-            if (!cells.isSmooth(cell) || cells.isUncertain(cell)) continue;
+            if (!wasSeen(cell) || !cells.isSmooth(cell) || cells.isUncertain(cell)) continue;
             if (cells.at(cell, 0.0).squaredBias > squaredBiasLimit) continue;
             told[cell] = finePixels.empty() || !hasFinePixel(kSpacing * x - fine.corners.x0,
                                                              kSpacing * y - fine.corners.y0);

@@ -217,7 +217,7 @@ class TowardsTarget {
             adaptive_->update();
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
             goal.squaredTarget = allowed * allowed;
-            reached = adaptive_->squaredError() <= goal.squaredTarget;
+            reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
             if (reached) break;
             const AdaptivePass pass =
                 job_.adaptive ? adaptive_->next(goal) : adaptive_->doubled(goal.maxSamples);
@@ -229,7 +229,11 @@ class TowardsTarget {
         return reached;
     }
 
-    double squaredError() const { return adaptive_->squaredError(); }
+    /// Nothing where too little was gathered to tell.
+    std::optional<double> errorEstimate() const {
+        if (!adaptive_->knowsError()) return std::nullopt;
+        return std::sqrt(adaptive_->squaredError()) + run_.cutError();
+    }
 
   private:
     /// Every other corner, and those between which these leave open.
@@ -237,7 +241,6 @@ class TowardsTarget {
         CoarseLattice coarse(job_.area);
         run_.probe(std::vector<std::uint32_t>(coarse.lattice().probes.size(), kFirstLightSamples),
                    coarse.lattice(), 0.0, 0.5 * share);
-        if (run_.stopped()) return;
         const double bias = kCoarseBias * job_.errorTarget;
         run_.probe(coarse.refine(*lattice_, fine_, bias * bias, kFirstLightSamples), *lattice_,
                    0.5 * share, share);
@@ -257,11 +260,6 @@ class TowardsTarget {
     std::vector<bool> fine_;
     std::optional<Adaptive> adaptive_;
 };
-
-bool hasHalves(const Film& film) {
-    return std::all_of(film.pixels.begin(), film.pixels.end(),
-                       [](const PixelState& pixel) { return pixel.samples >= 2; });
-}
 
 }  // namespace
 
@@ -286,12 +284,12 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     if (job.errorTarget > 0.0) {
         TowardsTarget towards(scene, run, job, outcome.film);
         outcome.converged = towards.render();
-        outcome.errorEstimate = std::sqrt(towards.squaredError()) + run.cutError();
+        outcome.errorEstimate = towards.errorEstimate();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
         Adaptive estimate(outcome.film, nullptr, {});
         estimate.update();
-        if (hasHalves(outcome.film)) {
+        if (estimate.knowsError()) {
             outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
         }
     }

@@ -191,3 +191,33 @@ TEST_CASE("an uncertain corner's variance counts a sixteenth in each smooth pixe
     CHECK(pass.corners[lattice.offset(4, 4)] > 2);
     CHECK(pass.corners[lattice.offset(2, 2)] == 2);
 }
+
+TEST_CASE("an error is known only where corners were classified and pixels have two halves") {
+    Film single = flatFilm(4, 4, 0.5, 1);
+    CHECK_FALSE(Adaptive(single, nullptr, {}).knowsError());
+    Film halves = flatFilm(4, 4, 0.5, 2);
+    CHECK(Adaptive(halves, nullptr, {}).knowsError());
+    halves.at(2, 1).samples = 1;
+    CHECK_FALSE(Adaptive(halves, nullptr, {}).knowsError());
+
+    const Lattice lattice = latticeOf(4, 4, [](double, double) { return 0.5; });
+    Film film(Tile{0, 0, 4, 4});
+    Adaptive adaptive(film, &lattice, {});
+    CHECK_FALSE(adaptive.knowsError());
+    adaptive.classify(1.0);
+    CHECK(adaptive.knowsError());
+}
+
+TEST_CASE("a render that stopped while it looked through corners keeps what it saw") {
+    Lattice lattice = latticeOf(4, 4, [](double x, double) { return 0.1 * x; });
+    for (int x = 0; x <= 4; ++x) {
+        for (int y = 2; y <= 4; ++y) lattice.probes[lattice.offset(x, y)] = {};
+    }
+    Film film(Tile{0, 0, 4, 4});
+    Adaptive adaptive(film, &lattice, {});
+    adaptive.update();
+    adaptive.settle();
+    CHECK(film.at(2, 0).mean().x == doctest::Approx(0.25));
+    CHECK(film.at(2, 1).mean().x == doctest::Approx(0.25));  // from its two upper corners
+    CHECK(film.at(2, 2).samples == 0);
+}

@@ -47,6 +47,9 @@ class Adaptive {
 
     /// Brings the estimates up to date with the film and the lattice.
     void update();
+    /// Whether that says something: corners were classified, and every sampled pixel has two
+    /// halves.
+    bool knowsError() const;
     /// The mean squared error of the image, by `update`.
     double squaredError() const { return squaredError_; }
     /// Estimated squared error of a pixel.
@@ -63,6 +66,8 @@ class Adaptive {
     AdaptivePass doubled(std::uint32_t most) const;
 
     /// Gives those smooth pixels their values that more samples of the lights could have changed.
+    /// Of a render that stopped before it classified, every pixel gets the mean of what was seen
+    /// through its corners, if anything was.
     void settle();
 
   private:
@@ -74,6 +79,7 @@ class Adaptive {
     void updateCorners();
     void updateSmooth(std::size_t pixel);
     void settle(std::size_t pixel);
+    void settleUnclassified(std::size_t pixel);
     void updateSampled();
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;
@@ -99,6 +105,7 @@ class Adaptive {
     std::vector<bool> isBiased_;      ///< where `bias_` is more than noise
     std::vector<double> variance_;    ///< of each corner's mean
     double squaredError_ = 0.0;
+    bool classified_;
 };
 
 }  // namespace rt
