@@ -82,13 +82,15 @@ end
 
 local function directory(config) return "build/" .. PREFIX .. config:lower() end
 
--- Applies flags and folders to the project being defined, in each configuration.
-local function compile(name, extra)
+-- Applies flags and folders to the project being defined, in each configuration; `release` are flags
+-- of that configuration alone.
+local function compile(name, extra, release)
   language "C++"
   location "build"
   includedirs { "include", "/usr/include/lua5.3" }
   extra = extra or ""
   for config, flags in pairs(CONFIGURATIONS) do
+    if config == "Release" and release then flags = flags .. " " .. release end
     local text = table.concat({ COMMON, flags, extra }, " ")
     configuration(config)
       targetdir(directory(config))
@@ -135,7 +137,7 @@ project "rtcore"
 for _, isa in ipairs(KERNEL_NAMES) do
   project("kernel_" .. isa)
     kind "StaticLib"
-    compile("kernel_" .. isa, KERNELS[isa] .. SEALABLE .. " -DRT_KERNEL_" .. isa:upper())
+    compile("kernel_" .. isa, KERNELS[isa] .. SEALABLE .. " -DRT_KERNEL_" .. isa:upper(), "-O3")
     files(HOT)
     excludes { "src/accel/build_*.cpp" }
     configuration {}

@@ -145,16 +145,19 @@ inline unsigned RayPacket::set(const TreeFrame& frame, std::span<const Ray> rays
     odd = 0;
     const int count = static_cast<int>(rays.size());
     for (int at = 0; at < count; at += kFour) {
+        const auto four = [&](const auto& valueOf) {
+            const auto lane = [&](int i) {
+                return valueOf(static_cast<std::size_t>(std::min(at + i, count - 1)));
+            };
+            return Four{lane(0), lane(1), lane(2), lane(3)};
+        };
         Group group;
-        for (int i = 0; i < kFour; ++i) {
-            const auto from = static_cast<std::size_t>(std::min(at + i, count - 1));
-            for (int axis = 0; axis < 3; ++axis) {
-                group.origin[axis][i] = rays[from].origin[axis];
-                group.direction[axis][i] = rays[from].direction[axis];
-            }
-            group.min[i] = ranges[from].min;
-            group.max[i] = ranges[from].max;
+        for (int axis = 0; axis < 3; ++axis) {
+            group.origin[axis] = four([&](std::size_t i) { return rays[i].origin[axis]; });
+            group.direction[axis] = four([&](std::size_t i) { return rays[i].direction[axis]; });
         }
+        group.min = four([&](std::size_t i) { return ranges[i].min; });
+        group.max = four([&](std::size_t i) { return ranges[i].max; });
         setGroup(frame, group, at);
         usable |= bitsOf(group.usable) << at;
         odd |= bitsOf(group.odd) << at;

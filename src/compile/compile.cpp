@@ -35,30 +35,12 @@ double largest(const Bounds& bounds) {
 
 /// The world box of a placed shape; met by no ray where a tree leaves it out, by all where the way
 /// to object space may be off by more than boxes allow for.
-PaddedBox worldBox(const Transform& transform, const Bounds& local, const Bounds& world) {
+PaddedBox worldBox(const Instance& instance, const Bounds& local, const Bounds& world) {
     const Vec3 extent = world.extent();
     if (world.isEmpty() || !(extent.x + extent.y + extent.z < kInfinity)) return {};
-    if (transform.condition() > kBoxedCondition) return {world, kInfinity};
+    if (!instance.boxed) return {world, kInfinity};
     const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
-    return {world, largest(transform.boundsToWorld({-reach, reach}))};
-}
-
-PlacedBox placedBox(const Transform& transform, const Bounds& local) {
-    PlacedBox placed;
-    if (transform.condition() > kBoxedCondition) {
-        placed.box = {local, kInfinity};
-        return placed;
-    }
-    placed.box = {local, 0.0};
-    if (transform.isIdentity()) return placed;
-    placed.isMoved = true;
-    for (int axis = 0; axis < 3; ++axis) {
-        placed.centre[axis] = transform.toWorld().translation[axis];
-        for (int row = 0; row < 3; ++row) {
-            placed.toObject[axis][row] = transform.toObject().linear[axis][row];
-        }
-    }
-    return placed;
+    return {world, largest(instance.transform.boundsToWorld({-reach, reach}))};
 }
 
 /// Builds one RenderScene, step by step.
@@ -247,17 +229,21 @@ class Compiler {
     void buildTree() {
         std::vector<Bounds> boxes;
         std::vector<PaddedBox> padded;
+        const bool few = out_.instances.size() <= kFewBoxes;
+        for (const Shape& shape : out_.shapes) {
+            out_.shapeBoxes.push_back({boundsOf(shape), 0.0});
+        }
         boxes.reserve(out_.instances.size());
-        for (const Instance& instance : out_.instances) {
+        for (Instance& instance : out_.instances) {
             const Bounds local = boundsOf(out_.shapes[instance.shape]);
             boxes.push_back(instance.transform.boundsToWorld(local));
-            out_.boxes.push_back(placedBox(instance.transform, local));
-            padded.push_back(worldBox(instance.transform, local, boxes.back()));
+            instance.boxed = !(instance.transform.condition() > kBoxedCondition);
+            if (few) padded.push_back(worldBox(instance, local, boxes.back()));
             if (out_.looks[instance.look].refracts && instance.closed) {
                 out_.refractingBounds.unite(boxes.back());
             }
         }
-        if (boxes.size() <= kFewBoxes) out_.quads = boxQuads(padded);
+        if (few) out_.quads = boxQuads(padded);
         WideTree::Settings settings;
         settings.threads = settings_.threads;
         out_.tree = WideTree::build(boxes, settings);

@@ -243,11 +243,10 @@ bool Transform::make(const Affine& toWorld, Transform& out) {
         made.toObject_.translation = -made.toObject_.vector(toWorld.translation);
         if (!made.toObject_.isFinite()) return false;
         made.stretch_ = longestImage(toWorld.linear);
-        const double outAndBack = absoluteRowSum(toWorld.linear, made.toObject_.linear);
         // Coming back is rounded once, and the tails as floats.
-        made.wayBack_ = gamma(2) + kTailRoundoff * outAndBack;
-        made.condition_ =
-            std::max(outAndBack, absoluteRowSum(made.toObject_.linear, toWorld.linear));
+        const double wayBack =
+            gamma(2) + kTailRoundoff * absoluteRowSum(toWorld.linear, made.toObject_.linear);
+        made.wayBack_ = std::nextafter(static_cast<float>(wayBack), HUGE_VALF);
         made.identity_ = false;
         made.flips_ = determinantSign < 0.0;
     }
@@ -326,6 +325,11 @@ Bounds Transform::boundsToWorld(const Bounds& object) const {
     return world;
 }
 
+double Transform::condition() const {
+    return std::max(absoluteRowSum(toWorld_.linear, toObject_.linear),
+                    absoluteRowSum(toObject_.linear, toWorld_.linear));
+}
+
 double Transform::errorToWorld(const Vec3& objectPoint, double objectError) const {
     if (identity_) return objectError;
     const Mat3& m = toWorld_.linear;
@@ -339,7 +343,7 @@ double Transform::errorToWorld(const Vec3& objectPoint, double objectError) cons
     const double offset = largest(t.x, t.y, t.z);
     // A product and three sums for each coordinate, and the sums above.
     return stretch_ * objectError * (1.0 + gamma(4)) +
-           kSquareRootOf3 * (gamma(7) * (size + offset) + wayBack_ * size);
+           kSquareRootOf3 * (gamma(7) * (size + offset) + static_cast<double>(wayBack_) * size);
 }
 
 }  // namespace rt

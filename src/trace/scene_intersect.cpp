@@ -90,11 +90,46 @@ template <class Use>
 }
 
 /// Whether an instance may be met in `range`. `slabs` is the ray in the world.
-[[gnu::always_inline]] inline bool meetsBox(const PlacedBox& box, const Ray& ray,
+[[gnu::always_inline]] inline bool meetsBox(const RenderScene& scene, Index item, const Ray& ray,
                                             const SlabRay& slabs, Interval range) {
-    if (!box.isMoved) return slabs.meets(box.box, range);
+    const Instance& placed = scene.instances[item];
+    if (!placed.boxed) return true;
+    const PaddedBox& box = scene.shapeBoxes[placed.shape];
+    if (placed.transform.isIdentity()) return slabs.meets(box, range);
     SlabRay local;
-    return !local.make(box, ray) || local.meets(box.box, range);
+    return !local.make(placed.transform, ray) || local.meets(box, range);
+}
+
+/// The same through the tree; `slabs` is the ray in the world, if it has boxes in double precision.
+template <class Test>
+[[gnu::noinline]] void visitTreeNearFirst(const RenderScene& scene, const Ray& ray,
+                                          const SlabRay* slabs, Interval range, const Test& test) {
+    traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
+        if (slabs && !meetsBox(scene, item, ray, *slabs, now)) return now.max;
+        return test(item, now);
+    });
+}
+
+template <class Test>
+[[gnu::noinline]] bool visitTreeUntil(const RenderScene& scene, const Ray& ray,
+                                      const SlabRay* slabs, Interval range, const Test& test) {
+    return traverseAny(scene.tree, ray, range, [&](Index item) {
+        if (slabs && !meetsBox(scene, item, ray, *slabs, range)) return false;
+        return test(item);
+    });
+}
+
+/// Bit i: the ray meets the box of instance i, at `entries[i]` first.
+[[gnu::always_inline]] inline unsigned metOfFew(const RenderScene& scene, const SlabRay& slabs,
+                                                Interval range, double* entries) {
+    const QuadTester tester(slabs);
+    const BoxQuad* quads = scene.quads.data();
+    const auto count = static_cast<unsigned>(scene.quads.size());
+    unsigned met = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        met |= tester.meet(quads[i], range, entries + 4 * i) << 4 * i;
+    }
+    return met;
 }
 
 /// Calls test(item, Interval now) -> double for the instances whose boxes meet the ray, near ones
@@ -105,20 +140,10 @@ template <class Test>
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
-        traverseClosest(scene.tree, ray, range, [&](Index item, Interval now) {
-            if (made && !meetsBox(scene.boxes[item], ray, slabs, now)) return now.max;
-            return test(item, now);
-        });
-        return;
+        return visitTreeNearFirst(scene, ray, made ? &slabs : nullptr, range, test);
     }
-    alignas(32) double entries[kFewBoxes];
-    unsigned waiting = 0;
-    const QuadTester tester(slabs);
-    const auto count = static_cast<unsigned>(scene.quads.size());
-    const BoxQuad* quads = scene.quads.data();
-    for (unsigned i = 0; i < count; ++i) {
-        waiting |= tester.meet(quads[i], range, entries + 4 * i) << 4 * i;
-    }
+    double entries[kFewBoxes];
+    unsigned waiting = metOfFew(scene, slabs, range, entries);
     while (waiting != 0) {
         int nearest = std::countr_zero(waiting);
         for (unsigned rest = waiting & (waiting - 1); rest != 0; rest &= rest - 1) {
@@ -139,19 +164,11 @@ template <class Test>
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
-        return traverseAny(scene.tree, ray, range, [&](Index item) {
-            if (made && !meetsBox(scene.boxes[item], ray, slabs, range)) return false;
-            return test(item);
-        });
+        return visitTreeUntil(scene, ray, made ? &slabs : nullptr, range, test);
     }
-    double entries[4];
-    const QuadTester tester(slabs);
-    const BoxQuad* quads = scene.quads.data();
-    const auto count = static_cast<Index>(scene.quads.size());
-    for (Index i = 0; i < count; ++i) {
-        for (unsigned met = tester.meet(quads[i], range, entries); met != 0; met &= met - 1) {
-            if (test(4 * i + static_cast<Index>(std::countr_zero(met)))) return true;
-        }
+    double entries[kFewBoxes];
+    for (unsigned met = metOfFew(scene, slabs, range, entries); met != 0; met &= met - 1) {
+        if (test(static_cast<Index>(std::countr_zero(met)))) return true;
     }
     return false;
 }

@@ -15,6 +15,7 @@
 #include "rt/core/bounds.h"
 #include "rt/core/numeric.h"
 #include "rt/core/ray.h"
+#include "rt/core/transform.h"
 #include "rt/math/lanes4.h"
 
 #include <algorithm>
@@ -45,15 +46,6 @@ struct alignas(32) PaddedBox {
             max[axis] = bounds.max[axis] + kOriginRounding * size;
         }
     }
-};
-
-/// The box of a shape in the shape's own space, and the way there, in plain double: a rough, quick
-/// look at shapes whose world boxes are too wide.
-struct PlacedBox {
-    PaddedBox box;
-    alignas(32) double toObject[3][4] = {};  ///< columns of the inverse's linear part
-    double centre[4] = {};                   ///< what the origin of object space is in the world
-    bool isMoved = false;                    ///< else `box` is in the world, and there is no way
 };
 
 /// Four boxes side by side: min x, max x, min y, max y, min z, max z.
@@ -92,17 +84,18 @@ class SlabRay {
         return std::max(entry, range.min) <= std::min(exit, range.max);
     }
 
-    /// The ray in the space of a placed box. False where nothing is known of it there.
-    [[nodiscard]] [[gnu::always_inline]] bool make(const PlacedBox& box, const Ray& ray) {
-        const Lanes4 x = Lanes4::load(box.toObject[0]);
-        const Lanes4 y = Lanes4::load(box.toObject[1]);
-        const Lanes4 z = Lanes4::load(box.toObject[2]);
+    /// The ray in object space, in plain double: a quick look, whose roundings boxes allow for
+    /// while the map's condition() is at most kBoxedCondition. False where nothing is known of it
+    /// there.
+    [[nodiscard]] [[gnu::always_inline]] bool make(const Transform& place, const Ray& ray) {
+        const Mat3& inverse = place.toObject().linear;
+        const Lanes4 x = Lanes4::loadThree(&inverse[0].x);
+        const Lanes4 y = Lanes4::loadThree(&inverse[1].x);
+        const Lanes4 z = Lanes4::loadThree(&inverse[2].x);
         const auto object = [&](const Vec3& v) __attribute__((always_inline)) {
             return fma(x, Lanes4::all(v.x), fma(y, Lanes4::all(v.y), z * Lanes4::all(v.z)));
         };
-        const Vec3 from(ray.origin.x - box.centre[0], ray.origin.y - box.centre[1],
-                        ray.origin.z - box.centre[2]);
-        return make(object(from), object(ray.direction));
+        return make(object(ray.origin - place.toWorld().translation), object(ray.direction));
     }
 
   private:

@@ -61,18 +61,17 @@ class Transform {
     /// The larger of the largest row sums of |linear| |inverse| and |inverse| |linear|: 1 for
     /// scales along the axes, at most 3 for a turn of them. The roundings of plain double on the
     /// way to object space and back grow with it.
-    double condition() const { return condition_; }
+    double condition() const;
 
   private:
     Affine toWorld_;
     Affine toObject_;
     /// What the rounding of the inverse's entries left out, relative to each; columns, padded.
     float tails_[3][4] = {};
-    /// What the way to object space and back is off by, relative to |linear| |object point|.
-    double wayBack_ = 0.0;
     /// Bound on the length of the image of a vector of length 1.
     double stretch_ = 1.0;
-    double condition_ = 1.0;
+    /// What the way to object space and back is off by, relative to |linear| |object point|.
+    float wayBack_ = 0.0F;
     bool identity_ = true;
     bool flips_ = false;
 };

@@ -14,7 +14,11 @@
 
 namespace rt {
 
+// Each has a name of its own for the linker, lest a program of mixed instruction sets (a benchmark)
+// take one for the other.
 #if defined(__AVX2__)
+
+inline namespace lanes_avx2 {
 
 class Lanes4 {
   public:
@@ -80,7 +84,11 @@ class Lanes4 {
     __m256d v_;
 };
 
+}  // namespace lanes_avx2
+
 #else
+
+inline namespace lanes_plain {
 
 class Lanes4 {
   public:
@@ -169,6 +177,8 @@ class Lanes4 {
     }
     double v_[4];
 };
+
+}  // namespace lanes_plain
 
 #endif
 

@@ -67,18 +67,16 @@ class Sampler {
   private:
     Vec2 point(SobolPair pair, std::uint64_t stream) const {
         const std::uint64_t key = subKey(pixelKey_, stream);
-        switch (kind_) {
-            case SamplerKind::kJoint: {
-                const UnitPoint p = sobolPair(index_, pair, key);
-                return {p.x, p.y};
-            }
-            case SamplerKind::kJitter:
-                return strata_.jittered(index_, key);
-            case SamplerKind::kGrid:
-                return strata_.middle(index_);
-            case SamplerKind::kRandom:
-                break;
+        if (kind_ == SamplerKind::kJoint) [[likely]] {
+            const UnitPoint p = sobolPair(index_, pair, key);
+            return {p.x, p.y};
         }
+        return simplePoint(key);
+    }
+
+    [[gnu::noinline]] Vec2 simplePoint(std::uint64_t key) const {
+        if (kind_ == SamplerKind::kJitter) return strata_.jittered(index_, key);
+        if (kind_ == SamplerKind::kGrid) return strata_.middle(index_);
         const std::uint64_t bits = subKey(key, index_);
         return {toUnit(bits), toUnit(mixBits(bits))};
     }

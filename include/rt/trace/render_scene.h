@@ -57,6 +57,8 @@ struct Instance {
     bool closed = true;
     /// Lengths in object space for lengths in the world; 0 where they depend on the direction.
     double objectScale = 0.0;
+    /// Whether boxes in double precision hold under the transform (kBoxedCondition).
+    bool boxed = true;
 };
 
 /// What this scene uses; the renderer's variant is chosen by it.
@@ -81,9 +83,9 @@ struct RenderScene {
     std::vector<Shape> shapes;
     std::vector<Look> looks;
     std::vector<Instance> instances;
-    WideTree tree;                 ///< over the instances' world bounds
-    std::vector<PlacedBox> boxes;  ///< of each instance
-    std::vector<BoxQuad> quads;    ///< world boxes, where they are few: a tree is slower there
+    WideTree tree;                      ///< over the instances' world bounds
+    std::vector<PaddedBox> shapeBoxes;  ///< of each shape, in object space
+    std::vector<BoxQuad> quads;         ///< world boxes, where they are few: a tree is slower there
     std::vector<Light> lights;
     Color ambient{0.0};
     Background background;
