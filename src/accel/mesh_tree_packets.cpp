@@ -16,8 +16,10 @@ namespace rt {
 
 namespace {
 
-/// Rays up to this number walk by themselves.
+/// Rays up to this number go on by themselves.
 constexpr int kFewRays = 2;
+/// So few of a packet with the same signs are no bundle.
+constexpr int kFewAlike = 4;
 
 /// A walk of one packet. `Query` answers visit(ray, block) -> bool whether the ray has had enough,
 /// and rangeMax(ray), the end of its range.
@@ -50,7 +52,7 @@ class PacketWalk {
     static constexpr int kStackSize = (kTreeWidth - 1) * (WideTree::kMaxDepth + 1) + kTreeWidth;
 
     void walkFrom(unsigned rays) {
-        if (std::popcount(rays) <= kFewRays) {
+        if (std::popcount(rays) <= kFewAlike) {
             walkSingly(ChildRef::node(0), rays);
             return;
         }

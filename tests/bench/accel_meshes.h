@@ -226,8 +226,8 @@ inline std::pair<int, int> pixelAt(int i, int size) {
             kSquare * (square / squares) + within / kSquare};
 }
 
-/// Primary rays of a size x size picture (a multiple of 4); from what they hit, shadow rays to a light and mirror
-/// rays; and rays between random points of the box.
+/// Primary rays of a size x size picture (a multiple of 4); from what they hit, shadow rays to a
+/// light and mirror rays; and rays between random points of the box.
 inline std::vector<RaySet> makeRays(const TriangleMesh& mesh, const MeshTree& tree, const Ray& view,
                                     int size) {
     const Bounds box = tree.bounds();
