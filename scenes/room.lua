@@ -33,14 +33,14 @@ local lights = {
     light({2.9, 1.5, 1.75}, {0.62, 0.58, 0.52}, {0.6, 0, 0.20}, 0.60),
     -- What the sunlit floor, the doors and the mirror give back.
     light({-0.5, 1.95, 2.7}, {0.46, 0.39, 0.31}, {0.8, 0, 0.12}, 0.45),
-    light({-0.74, 1.04, 0.24}, {0.42, 0.34, 0.24}, {0.5, 0, 1.6}, 0.10),
+    light({-0.74, 1.04, 0.24}, {0.66, 0.54, 0.40}, {0.5, 0, 1.6}, 0.10),
     -- The lantern.
     light(lantern, {0.34, 0.21, 0.10}, {0.5, 0, 3.0}, 0.09),
     -- Daylight on the garden and on what lies beyond it.
     light({4.5, 11, -4}, {0.66, 0.66, 0.66}, {1, 0, 0}, 0, 1),
 }
 
-local eye, target = {0.27, 1.12, 3.02}, {-0.11, 0.60, 0}
+local eye, target = {0.27, 1.12, 3.02}, {-0.11, 0.59, 0}
 local view = {target[1] - eye[1], target[2] - eye[2], target[3] - eye[3]}
 local focus = lens and gr.focal({-0.90, 0.75, 0.30}, 0.05, 0.019) or nil
 

@@ -243,7 +243,9 @@ def kokeshi_face():
         c = (0.88, 0.74, 0.56)
         for side in (-1, 1):
             ex = (px - 0.32 * side)
-            if abs(py - 0.02 + 1.1 * ex * ex) < 0.022 and abs(ex) < 0.17 or math.hypot(ex, py + 0.03) < 0.045:
+            brow = abs(py - 0.20 + 1.3 * ex * ex) < 0.017 and abs(ex) < 0.17
+            lid = abs(py - 0.04 + 2.6 * ex * ex) < 0.024 and abs(ex) < 0.15
+            if brow or lid or math.hypot(ex, py + 0.01) < 0.042:
                 return (0.08, 0.06, 0.06)
             if math.hypot(px - 0.50 * side, (py + 0.24) * 1.2) < 0.13:
                 c = mix(c, (0.85, 0.42, 0.34), 0.45)

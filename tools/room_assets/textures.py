@@ -112,7 +112,7 @@ def plaster():
     write("Texture", "room_plaster.png", size, size, pixel)
     relief = [[0.5 * b + 0.42 * s + 0.2 * straws.get((x, y), 0) for x, (b, s) in enumerate(zip(p, q))]
               for y, (p, q) in enumerate(zip(broad, sand))]
-    write_normals("room_plaster_normal.png", relief, 0.0035)
+    write_normals("room_plaster_normal.png", relief, 0.0024)
 
 
 def washi():
