@@ -33,7 +33,7 @@ local lights = {
     light({2.9, 1.5, 1.75}, {0.62, 0.58, 0.52}, {0.6, 0, 0.20}, 0.60),
     -- What the sunlit floor, the doors and the mirror give back.
     light({-0.5, 1.95, 2.7}, {0.46, 0.39, 0.31}, {0.8, 0, 0.12}, 0.45),
-    light({-0.74, 1.04, 0.24}, {0.66, 0.54, 0.40}, {0.5, 0, 1.6}, 0.10),
+    light({-0.84, 0.92, 0.16}, {0.62, 0.52, 0.40}, {0.5, 0, 1.8}, 0.04),
     -- The lantern.
     light(lantern, {0.34, 0.21, 0.10}, {0.5, 0, 3.0}, 0.09),
     -- Daylight on the garden and on what lies beyond it.

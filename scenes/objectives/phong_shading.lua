@@ -1,9 +1,9 @@
--- Phong shading: chessmen turned from tables of 20 sides, with normals interpolated between their corners.
--- Look at: round bodies whose outlines alone show the 20 sides; edges that stay edges, since they are sharper than
+-- Phong shading: chessmen turned from tables of 16 sides, with normals interpolated between their corners.
+-- Look at: round bodies whose outlines alone show the 16 sides; edges that stay edges, since they are sharper than
 -- the smoothing angle. Without: flat faces.   ./Project scenes/objectives/phong_shading.lua -D without=true
 
 local without = gr.param('without', false, {doc = 'flat faces'})
-local sides = gr.param('sides', 20, {min = 3, max = 200, doc = 'sides of each piece'})
+local sides = gr.param('sides', 16, {min = 3, max = 200, doc = 'sides of each piece'})
 
 -- Profiles (radius, height), from the foot to the top.
 local foot = {{0.30, 0}, {0.30, 0.05}, {0.27, 0.09}, {0.21, 0.12}, {0.23, 0.16}, {0.20, 0.20}}
@@ -75,12 +75,15 @@ local function put(name, file, rank, look)
     root:add_child(place)
 end
 
-for _, p in ipairs{{'king', 7, 1}, {'rook', 6, 1}, {'queen', 4, 3}, {'bishop', 3, 4}, {'pawn', 6, 2}, {'pawn', 7, 2}, {'pawn', 8, 2},
-                   {'pawn', 5, 4}, {'pawn', 1, 2}, {'rook', 1, 1}} do put(p[1], p[2], p[3], ivory) end
-for _, p in ipairs{{'king', 7, 8}, {'rook', 6, 8}, {'queen', 4, 7}, {'bishop', 5, 6}, {'bishop', 2, 5}, {'pawn', 6, 7}, {'pawn', 7, 7},
-                   {'pawn', 8, 6}, {'pawn', 5, 5}, {'pawn', 3, 6}, {'pawn', 1, 6}, {'rook', 1, 8}} do put(p[1], p[2], p[3], ebony) end
+-- An endgame.
+for _, p in ipairs{{'king', 4, 3}, {'queen', 6, 4}, {'bishop', 3, 4}, {'pawn', 5, 3}, {'pawn', 2, 3}, {'pawn', 7, 3}, {'rook', 8, 4}} do
+    put(p[1], p[2], p[3], ivory)
+end
+for _, p in ipairs{{'king', 5, 7}, {'queen', 3, 6}, {'bishop', 7, 6}, {'pawn', 4, 5}, {'pawn', 2, 5}, {'pawn', 7, 5}, {'rook', 1, 7}, {'rook', 8, 8}} do
+    put(p[1], p[2], p[3], ebony)
+end
 
-root:rotate('y', -24)
+root:rotate('y', -14)
 gr.background({0.16, 0.15, 0.15}, {0.44, 0.46, 0.50})
-gr.render(root, 'phong_shading.png', 1280, 720, {-0.2, 3.5, 7.4}, {0.0, -0.47, -1}, {0, 1, 0}, 31, {0.24, 0.24, 0.27},
+gr.render(root, 'phong_shading.png', 1280, 720, {0.1, 2.5, 5.6}, {-0.03, -0.40, -1}, {0, 1, 0}, 33, {0.24, 0.24, 0.27},
           {gr.light({-6, 7, 1}, {0.80, 0.72, 0.58}, {1, 0, 0}, 0.6), gr.light({7, 6, 5}, {0.22, 0.26, 0.34}, {1, 0, 0}, 1.0)})

@@ -37,7 +37,7 @@ end
 local thing = flake(levels)
 thing:rotate('x', 12)
 thing:rotate('z', -14)
-thing:translate(0, 1.80, 0)
+thing:translate(0, 1.70, 0)
 root:add_child(thing)
 
 local floor = gr.mesh('floor', 'ground.obj')
@@ -47,5 +47,5 @@ if not without then floor:set_reflection(0.70) end
 root:add_child(floor, nil, gr.texture('planks.png', {0.2, 0.2, 0.2}, 60))
 
 gr.background('sky.png')
-gr.render(root, 'reflection.png', 1280, 720, {0.3, 2.6, 5.9}, {-0.05, -0.17, -1}, {0, 1, 0}, 37, {0.36, 0.37, 0.42},
+gr.render(root, 'reflection.png', 1280, 720, {0.3, 2.4, 6.2}, {-0.05, -0.11, -1}, {0, 1, 0}, 37, {0.36, 0.37, 0.42},
           {gr.light({9, 7, -7}, {0.9, 0.78, 0.6}, {1, 0, 0}, 0.5), gr.light({-6, 8, 8}, {0.40, 0.40, 0.44}, {1, 0, 0}, 0.8)})

@@ -83,5 +83,5 @@ trunk:translate(-0.75, 0.31, 0.22)
 root:add_child(trunk, bark)
 
 local function light(at, colour, radius) return gr.light(at, colour, {1, 0, 0}, without and 0 or radius) end
-gr.render(root, 'soft_shadow.png', 1280, 720, {-0.12, 1.05, 3.35}, {-0.045, -0.06, -1}, {0, 1, 0}, 34, {0.22, 0.22, 0.27},
+gr.render(root, 'soft_shadow.png', 1280, 720, {-0.10, 1.00, 3.35}, {-0.045, -0.06, -1}, {0, 1, 0}, 33, {0.22, 0.22, 0.27},
           {light({-5.2, 3.9, 6.2}, {0.82, 0.66, 0.42}, 0.34), light({3.2, 3.0, 3.6}, {0.26, 0.31, 0.40}, 0.8)})
