@@ -94,9 +94,20 @@ for k = 0, 8 do
 end
 for k = -9, 7 do box(root, {0.42 * k - 0.08, -0.10, -0.62}, {0.42 * k + 0.08, -0.05, 0.62}, nil, wood) end
 for side = -1, 1, 2 do box(root, {-5, -0.05, 0.40 * side - 0.025}, {4, 0, 0.40 * side + 0.025}, brass) end
-box(root, {-900, -1.1, -900}, {900, -0.10, 900}, gr.material({0.56, 0.60, 0.58}, {0.02, 0.02, 0.02}, 8))
 
 root:rotate('y', -32)
+
+-- A floor of planks before a wall.
+local room = gr.node('room')
+room:add_child(root)
+local planks = gr.mesh('planks', 'ground.obj')
+planks:scale(128, 128, 128)
+planks:rotate('y', 8)
+planks:translate(0, -0.10, 0)
+room:add_child(planks, nil, gr.texture('planks.png', {0.14, 0.13, 0.12}, 30))
+room:add_child(gr.nh_box('wall', {-30, -0.10, -4.6}, {60, 20, 1}), gr.material({0.52, 0.60, 0.58}, {0.02, 0.02, 0.02}, 6))
+room:add_child(gr.nh_box('skirting', {-30, -0.10, -3.65}, {60, 0.35, 0.08}), cream)
+
 gr.background({0.62, 0.68, 0.70}, {0.40, 0.55, 0.68})
-gr.render(root, 'primitives.png', 1280, 720, {-0.3, 2.0, 6.2}, {-0.07, -0.17, -1}, {0, 1, 0}, 33, {0.27, 0.28, 0.31},
+gr.render(room, 'primitives.png', 1280, 720, {-0.3, 2.0, 6.2}, {-0.07, -0.17, -1}, {0, 1, 0}, 33, {0.27, 0.28, 0.31},
           {gr.light({-5, 8, 6}, {0.70, 0.66, 0.58}, {1, 0, 0}, 0.5), gr.light({6, 4, 5}, {0.16, 0.19, 0.24}, {1, 0, 0}, 1.0)})

@@ -76,6 +76,8 @@ local function twig(p, d, length, radius, level)
     end
 end
 twig({-0.75, 0.75, 0.06}, {0.15, 0.97, 0.19}, 0.34, 0.012, 4)
+-- Another hangs out of sight, between the sun and the wall.
+twig({-1.10, 2.02, 1.30}, {0.93, -0.34, 0.10}, 0.34, 0.012, 4)
 root:add_child(gr.nh_cylinder('pot', {-0.75, 0, 0.22}, 0.32, 0.11), nil, gr.texture('room_raku.png', {0.4, 0.4, 0.4}, 80))
 local trunk = gr.nh_cylinder('trunk', {0, 0, 0}, 0.47, 0.014)
 trunk:rotate('x', -20)
