@@ -1,2 +1,3 @@
 -- What ./Project renders when it is given no scene.
-dofile('scenes/first_light.lua')
+package.path = 'scenes/?.lua;' .. package.path
+dofile('scenes/room.lua')

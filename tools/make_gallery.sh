@@ -10,7 +10,13 @@ for scene in scenes/*.lua; do
     name=$(basename "$scene" .lua)
     size=448x252
     [ "$name" = first_light ] && size=800x450
+    [ "$name" = room ] && size=1280x720
     "$project" "$scene" -q --size $size -o "$images/$name.png" "$@"
+done
+for scene in scenes/objectives/*.lua; do
+    name=$(basename "$scene" .lua)
+    "$project" "$scene" -q --size 448x252 -o "$images/objective_$name.png" "$@"
+    [ "$name" = multithreading ] || "$project" "$scene" -q --size 448x252 -D without=true -o "$images/objective_${name}_without.png" "$@"
 done
 # Scenes of the older form say their own sizes, and may hold several pictures; readobj.lua is a module.
 for scene in scenes/a4/*.lua; do

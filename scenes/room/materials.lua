@@ -1,0 +1,76 @@
+-- Everything that a surface of the room can be. Colours are image values.
+
+local dim, soft, sheen = {0.02, 0.02, 0.02}, {0.08, 0.08, 0.08}, {0.22, 0.21, 0.19}
+
+local function picture(name, specular, exponent)
+    return gr.texture('room_' .. name .. '.png', specular, exponent)
+end
+
+return {
+    post = picture('post', {0.14, 0.13, 0.12}, 24),
+    tansu = picture('tansu', {0.30, 0.26, 0.22}, 60),
+    cedar = picture('cedar', {0.12, 0.11, 0.09}, 20),
+    ceiling = picture('ceiling', soft, 12),
+    tatami = picture('tatami', {0.07, 0.07, 0.05}, 9),
+    border = picture('border', soft, 10),
+    plaster = picture('plaster', dim, 4),
+    washi = picture('washi', soft, 8),
+    indigo = picture('indigo', dim, 6),
+    crimson = picture('crimson', {0.06, 0.05, 0.03}, 10),
+    fusuma_left = picture('fusuma_left', {0.16, 0.13, 0.07}, 14),
+    fusuma_right = picture('fusuma_right', {0.16, 0.13, 0.07}, 14),
+    scroll = picture('scroll', soft, 10),
+    books = picture('books', soft, 20),
+    view = picture('view', {0, 0, 0}, 1),
+    strip = picture('strip', dim, 4),
+    fan = picture('fan', soft, 8),
+    fur = picture('fur', {0.05, 0.05, 0.045}, 10),
+    eye = picture('eye', {0.9, 0.9, 0.9}, 140),
+    iron = picture('iron', {0.24, 0.24, 0.25}, 26),
+    waves = picture('waves', {0.55, 0.55, 0.55}, 160),
+    raku = picture('raku', {0.45, 0.46, 0.45}, 90),
+    doll = picture('kokeshi', sheen, 50),
+    face = picture('kokeshi_face', sheen, 50),
+    bark = picture('bark', dim, 6),
+    moss = picture('moss', dim, 4),
+
+    clear = gr.material({0.01, 0.01, 0.01}, {0.8, 0.8, 0.8}, 500),
+    tumbler = gr.material({0.22, 0.30, 0.30}, {0.8, 0.8, 0.8}, 500),
+    silver = gr.material({0.02, 0.02, 0.02}, {0.3, 0.3, 0.3}, 300),
+    lacquer = gr.material({0.055, 0.018, 0.014}, {0.55, 0.50, 0.46}, 140),
+    red_lacquer = gr.material({0.52, 0.07, 0.045}, {0.50, 0.45, 0.42}, 120),
+    black_iron = gr.material({0.055, 0.05, 0.05}, {0.26, 0.25, 0.24}, 26),
+    brass = gr.material({0.46, 0.31, 0.11}, {0.55, 0.46, 0.26}, 50),
+    bamboo = gr.material({0.62, 0.53, 0.29}, {0.22, 0.21, 0.17}, 40),
+    nose = gr.material({0.78, 0.45, 0.40}, {0.25, 0.25, 0.25}, 30),
+    whisker = gr.material({0.92, 0.90, 0.86}, {0.3, 0.3, 0.3}, 30),
+    stem = gr.material({0.22, 0.38, 0.15}, {0.12, 0.12, 0.10}, 20),
+    petal = gr.material({0.42, 0.34, 0.78}, {0.08, 0.08, 0.10}, 12),
+    heart = gr.material({0.93, 0.86, 0.52}, {0.10, 0.10, 0.10}, 20),
+    tea = gr.material({0.30, 0.36, 0.10}, {0.6, 0.6, 0.6}, 200),
+    rice = gr.material({0.74, 0.72, 0.66}, {0.15, 0.15, 0.15}, 30),
+    green_rice = gr.material({0.50, 0.62, 0.34}, {0.15, 0.15, 0.12}, 30),
+    pink_rice = gr.material({0.80, 0.50, 0.50}, {0.16, 0.14, 0.14}, 30),
+    thread = gr.material({0.82, 0.80, 0.72}, {0.05, 0.05, 0.05}, 8),
+    tassel = gr.material({0.78, 0.62, 0.26}, {0.10, 0.10, 0.08}, 12),
+    outer_wall = gr.material({0.55, 0.50, 0.42}, {0, 0, 0}, 1),
+    glow = gr.material({4.9, 3.3, 1.5}, {0, 0, 0}, 1),
+    leaves = {
+        gr.material({0.26, 0.47, 0.12}, {0.10, 0.12, 0.06}, 14),
+        gr.material({0.37, 0.56, 0.15}, {0.10, 0.12, 0.06}, 14),
+        gr.material({0.52, 0.62, 0.18}, {0.12, 0.12, 0.06}, 14),
+        gr.material({0.74, 0.50, 0.16}, {0.12, 0.10, 0.06}, 14),
+        gr.material({0.72, 0.27, 0.13}, {0.12, 0.08, 0.06}, 14),
+    },
+
+    bump = {
+        tatami = gr.bumpmap('room_tatami_normal.png'),
+        plaster = gr.bumpmap('room_plaster_normal.png'),
+        washi = gr.bumpmap('room_washi_normal.png'),
+        wood = gr.bumpmap('room_wood_normal.png'),
+        weave = gr.bumpmap('room_weave_normal.png'),
+        iron = gr.bumpmap('room_iron_normal.png'),
+        fur = gr.bumpmap('room_fur_normal.png'),
+        bark = gr.bumpmap('room_bark_normal.png'),
+    },
+}
