@@ -76,6 +76,7 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
       width_(static_cast<std::size_t>(film.area.width())),
       fine_(std::move(fine)),
       kind_(film.pixels.size(), Kind::kSampled),
+      pixelEvidence_(film.pixels.size()),
       pixelError_(film.pixels.size()),
       classified_(lattice == nullptr) {
     if (lattice_) {
@@ -83,29 +84,60 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
         bias_.resize(film.pixels.size());
         isBiased_.resize(film.pixels.size());
         variance_.resize(lattice_->probes.size());
+        cornerEvidence_.resize(lattice_->probes.size());
     }
-    ownError_.resize(std::max(pixelError_.size(), variance_.size()));
     listPlaces();
 }
 
-void Adaptive::classify(double squaredBiasLimit) {
+void Adaptive::classify(double squaredBiasLimit, const ToldPixels& told) {
     if (!lattice_) return;
     for (std::size_t i = 0; i < variance_.size(); ++i) {
         if (lattice_->probes[i].has(kProbeUncertain)) uncertainCorners_.push_back(i);
     }
+    measureCorners(told);
+    ++updates_;
     updateCorners();
-    smoothPixels_->measure();
     for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
-        const std::size_t corner = cornerOf(pixel);
-        if ((!fine_.empty() && fine_[pixel]) || !smoothPixels_->isSmooth(corner)) continue;
-        updateSmooth(pixel);
-        if (isBiased_[pixel] && bias_[pixel] > squaredBiasLimit) continue;
-        const bool uncertain = smoothPixels_->isUncertain(corner);
-        kind_[pixel] = uncertain ? Kind::kUncertain : Kind::kSmooth;
-        if (!uncertain) settle(pixel);
+        if (!told.empty() && told[pixel] >= 0.0F) {
+            kind_[pixel] = Kind::kSmooth;
+            pixelError_[pixel] = bias_[pixel] = static_cast<double>(told[pixel]);
+            isBiased_[pixel] = 1;
+        } else if (fine_.empty() || !fine_[pixel]) {
+            classifyPixel(pixel, squaredBiasLimit);
+        }
     }
     listPlaces();
     classified_ = true;
+}
+
+/// The second differences at the corners of pixels that are not told.
+void Adaptive::measureCorners(const ToldPixels& told) {
+    if (told.empty()) return smoothPixels_->measure();
+    const Tile& area = film_.area;
+    std::size_t corner = 0;
+    for (int y = area.y0; y <= area.y1; ++y) {
+        for (int x = area.x0; x <= area.x1; ++x, ++corner) {
+            bool needed = false;
+            for (int v = std::max(y - 1, area.y0); v < std::min(y + 1, area.y1); ++v) {
+                for (int u = std::max(x - 1, area.x0); u < std::min(x + 1, area.x1); ++u) {
+                    needed = needed || told[film_.offset(u, v)] < 0.0F;
+                }
+            }
+            if (needed) smoothPixels_->measure(corner);
+        }
+    }
+}
+
+void Adaptive::classifyPixel(std::size_t pixel, double squaredBiasLimit) {
+    const std::size_t corner = cornerOf(pixel);
+    const double noise = noiseAround(corner);
+    const std::optional<SmoothPixel> found = smoothPixels_->find(corner, noise);
+    if (!found) return;
+    keep(pixel, *found, noise);
+    if (found->isBiased && found->squaredBias > squaredBiasLimit) return;
+    const bool uncertain = smoothPixels_->isUncertain(corner);
+    kind_[pixel] = uncertain ? Kind::kUncertain : Kind::kSmooth;
+    if (!uncertain) settle(pixel, *found);
 }
 
 bool Adaptive::knowsError() const {
@@ -123,32 +155,51 @@ void Adaptive::listPlaces() {
     }
 }
 
+/// True once for each place in each update.
+bool Adaptive::isFirstWorkOn(Evidence& place) const {
+    if (place.lastWork == updates_) return false;
+    place.lastWork = updates_;
+    return true;
+}
+
+/// Lists the changed corners, and brings variances up to date around them.
 void Adaptive::updateCorners() {
+    changed_.clear();
     for (const std::size_t i : uncertainCorners_) {
         const Probe& probe = lattice_->probes[i];
-        ownError_[i] = halvesApart(probe.sum, probe.half, probe.samples);
+        if (cornerEvidence_[i].samples == probe.samples) continue;
+        cornerEvidence_[i].samples = probe.samples;
+        cornerEvidence_[i].error = halvesApart(probe.sum, probe.half, probe.samples);
+        changed_.push_back(i);
     }
     const std::size_t stride = lattice_->stride();
-    for (const std::size_t i : uncertainCorners_) {
-        const Probe& probe = lattice_->probes[i];
-        double sum = 0.0;
-        double count = 0.0;
+    for (const std::size_t i : changed_) {
         const int x = lattice_->corners.x0 + static_cast<int>(i % stride);
         const int y = lattice_->corners.y0 + static_cast<int>(i / stride);
         forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
             const std::size_t j = lattice_->offset(u, v);
-            const Probe& other = lattice_->probes[j];
-            if (!other.has(kProbeUncertain)) return;
-            count += 1.0;
-            if (other.samples == probe.samples) {
-                sum += ownError_[j];
-                return;
-            }
-            const double ratio = static_cast<double>(other.samples) / probe.samples;
-            sum += ownError_[j] * ratio * std::sqrt(ratio);
+            if (!lattice_->probes[j].has(kProbeUncertain)) return;
+            if (isFirstWorkOn(cornerEvidence_[j])) updateVariance(j);
         });
-        variance_[i] = sum / count;
     }
+}
+
+void Adaptive::updateVariance(std::size_t corner) {
+    const std::size_t stride = lattice_->stride();
+    const auto samples = static_cast<double>(cornerEvidence_[corner].samples);
+    double sum = 0.0;
+    double count = 0.0;
+    const int x = lattice_->corners.x0 + static_cast<int>(corner % stride);
+    const int y = lattice_->corners.y0 + static_cast<int>(corner / stride);
+    forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
+        const std::size_t j = lattice_->offset(u, v);
+        if (!lattice_->probes[j].has(kProbeUncertain)) return;
+        const Evidence& other = cornerEvidence_[j];
+        const double ratio = static_cast<double>(other.samples) / samples;
+        sum += ratio == 1.0 ? other.error : other.error * ratio * std::sqrt(ratio);
+        count += 1.0;
+    });
+    variance_[corner] = sum / count;
 }
 
 /// Mean of the variances of the corners of the pixel with this upper left corner.
@@ -158,43 +209,82 @@ double Adaptive::noiseAround(std::size_t corner) const {
            (variance_[corner] + variance_[corner + 1] + variance_[below] + variance_[below + 1]);
 }
 
-void Adaptive::updateSmooth(std::size_t pixel) {
-    const std::size_t corner = cornerOf(pixel);
-    const double noise = noiseAround(corner);
-    const SmoothPixel found = smoothPixels_->at(corner, noise);
+void Adaptive::keep(std::size_t pixel, const SmoothPixel& found, double noise) {
     bias_[pixel] = found.squaredBias;
-    isBiased_[pixel] = found.isBiased;
-    pixelError_[pixel] = bias_[pixel] + 0.25 * noise;
+    isBiased_[pixel] = found.isBiased ? 1 : 0;
+    pixelError_[pixel] = found.squaredBias + 0.25 * noise;
 }
 
-void Adaptive::updateSampled() {
+/// A corner enters the differences at itself and beside it, and the variances of those around it:
+/// pixels up to two away depend on it.
+void Adaptive::updateSmoothPixels() {
+    const std::size_t stride = lattice_->stride();
+    for (const std::size_t i : changed_) {
+        const std::size_t column = i % stride;
+        smoothPixels_->measure(i);
+        if (column > 0) smoothPixels_->measure(i - 1);
+        if (column + 1 < stride) smoothPixels_->measure(i + 1);
+        if (i >= stride) smoothPixels_->measure(i - stride);
+        if (i + stride < variance_.size()) smoothPixels_->measure(i + stride);
+    }
+    const Tile& area = film_.area;
+    for (const std::size_t i : changed_) {
+        const int x = area.x0 + static_cast<int>(i % stride);
+        const int y = area.y0 + static_cast<int>(i / stride);
+        for (int v = std::max(y - 2, area.y0); v < std::min(y + 2, area.y1); ++v) {
+            for (int u = std::max(x - 2, area.x0); u < std::min(x + 2, area.x1); ++u) {
+                const std::size_t pixel = film_.offset(u, v);
+                if (kind_[pixel] != Kind::kUncertain) continue;
+                if (!isFirstWorkOn(pixelEvidence_[pixel])) continue;
+                const double noise = noiseAround(cornerOf(pixel));
+                keep(pixel, smoothPixels_->at(cornerOf(pixel), noise), noise);
+            }
+        }
+    }
+}
+
+void Adaptive::updateSampledPixels() {
+    changed_.clear();
     for (const std::size_t i : sampled_) {
         const PixelState& pixel = film_.pixels[i];
-        ownError_[i] = halvesApart(pixel.sum, pixel.half, pixel.samples);
+        const auto samples = static_cast<std::uint32_t>(pixel.samples);
+        if (pixelEvidence_[i].samples == samples) continue;
+        pixelEvidence_[i].samples = samples;
+        pixelEvidence_[i].error = halvesApart(pixel.sum, pixel.half, samples);
+        changed_.push_back(i);
     }
-    for (const std::size_t i : sampled_) {
-        const auto samples = static_cast<double>(film_.pixels[i].samples);
-        double sum = 0.0;
-        double count = 0.0;
+    for (const std::size_t i : changed_) {
         const int x = film_.area.x0 + static_cast<int>(i % width_);
         const int y = film_.area.y0 + static_cast<int>(i / width_);
         forNeighbourhood(film_.area, x, y, [&](int u, int v) {
             const std::size_t j = film_.offset(u, v);
-            if (isSmooth(j)) return;
-            sum += ownError_[j] * static_cast<double>(film_.pixels[j].samples) / samples;
-            count += 1.0;
+            if (!isSmooth(j) && isFirstWorkOn(pixelEvidence_[j])) updatePooledError(j);
         });
-        pixelError_[i] = count > 0.0 ? sum / count : 0.0;
     }
 }
 
+void Adaptive::updatePooledError(std::size_t pixel) {
+    double sum = 0.0;
+    double count = 0.0;
+    const int x = film_.area.x0 + static_cast<int>(pixel % width_);
+    const int y = film_.area.y0 + static_cast<int>(pixel / width_);
+    forNeighbourhood(film_.area, x, y, [&](int u, int v) {
+        const std::size_t j = film_.offset(u, v);
+        if (isSmooth(j)) return;
+        sum += pixelEvidence_[j].error * static_cast<double>(pixelEvidence_[j].samples);
+        count += 1.0;
+    });
+    const auto samples = static_cast<double>(pixelEvidence_[pixel].samples);
+    pixelError_[pixel] = samples > 0.0 ? sum / (count * samples) : 0.0;
+}
+
 void Adaptive::update() {
-    if (lattice_) {
+    ++updates_;
+    if (lattice_ && classified_) {
         updateCorners();
-        for (const std::size_t i : uncertainCorners_) smoothPixels_->measure(i);
-        for (const std::size_t pixel : uncertainPixels_) updateSmooth(pixel);
+        updateSmoothPixels();
     }
-    updateSampled();
+    updateSampledPixels();
     double sum = 0.0;
     for (const double error : pixelError_) sum += error;
     squaredError_ = pixelError_.empty() ? 0.0 : sum / static_cast<double>(pixelError_.size());
@@ -331,13 +421,12 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
     return pass;
 }
 
-void Adaptive::settle(std::size_t pixel) {
-    const std::size_t corner = cornerOf(pixel);
-    const SmoothPixel found = smoothPixels_->at(corner, noiseAround(corner));
+void Adaptive::settle(std::size_t pixel, const SmoothPixel& found) {
     film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
 }
 
 void Adaptive::settleUnclassified(std::size_t pixel) {
+    if (film_.pixels[pixel].samples > 0) return;
     const std::size_t corner = cornerOf(pixel);
     const std::size_t below = corner + lattice_->stride();
     glm::vec3 sum(0.0F);
@@ -354,7 +443,10 @@ void Adaptive::settle() {
     if (!classified_) {
         for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) settleUnclassified(pixel);
     }
-    for (const std::size_t pixel : uncertainPixels_) settle(pixel);
+    for (const std::size_t pixel : uncertainPixels_) {
+        const std::size_t corner = cornerOf(pixel);
+        settle(pixel, smoothPixels_->at(corner, noiseAround(corner)));
+    }
 }
 
 }  // namespace rt

@@ -59,8 +59,9 @@ std::vector<bool> CoarseLattice::toldCells(const SmoothPixels& cells, const Latt
     for (int y = corners.y0; y + 1 < corners.y1; ++y) {
         for (int x = corners.x0; x + 1 < corners.x1; ++x) {
             const std::size_t cell = lattice_.offset(x, y);
-            if (!wasSeen(cell) || !cells.isSmooth(cell) || cells.isUncertain(cell)) continue;
-            if (cells.at(cell, 0.0).squaredBias > squaredBiasLimit) continue;
+            if (!wasSeen(cell) || cells.isUncertain(cell)) continue;
+            const std::optional<SmoothPixel> found = cells.find(cell, 0.0);
+            if (!found || found->squaredBias > squaredBiasLimit) continue;
             told[cell] = finePixels.empty() || !hasFinePixel(kSpacing * x - fine.corners.x0,
                                                              kSpacing * y - fine.corners.y0);
         }
@@ -68,19 +69,72 @@ std::vector<bool> CoarseLattice::toldCells(const SmoothPixels& cells, const Latt
     return told;
 }
 
-std::vector<std::uint32_t> CoarseLattice::refine(Lattice& fine, const std::vector<bool>& finePixels,
-                                                 double squaredBiasLimit,
-                                                 std::uint32_t samples) const {
+bool CoarseLattice::isDeepAmongTold(const std::vector<bool>& told, int x, int y) const {
+    const Tile& corners = lattice_.corners;
+    for (int v = std::max(y - 1, corners.y0); v < std::min(y + 2, corners.y1 - 1); ++v) {
+        for (int u = std::max(x - 1, corners.x0); u < std::min(x + 2, corners.x1 - 1); ++u) {
+            if (!told[lattice_.offset(u, v)]) return false;
+        }
+    }
+    return true;
+}
+
+/// The pixels of a told cell, each by its four corners of the fine lattice.
+void CoarseLattice::tellPixels(const SmoothPixels& cells, int x, int y, Film& film,
+                               ToldPixels& pixels) const {
+    const std::size_t cell = lattice_.offset(x, y);
+    const std::size_t below = cell + lattice_.stride();
+    const glm::vec3 a = lattice_.probes[cell].mean();
+    const glm::vec3 b = lattice_.probes[cell + 1].mean();
+    const glm::vec3 c = lattice_.probes[below].mean();
+    const glm::vec3 d = lattice_.probes[below + 1].mean();
+    const glm::vec3 correction = cells.correctionAt(cell);
+    const glm::vec3 mean = 0.25F * (a + b + c + d);
+    const glm::vec3 corner[3][3] = {
+        {a, 0.5F * (a + b) - cells.across(cell) / 8.0F, b},
+        {0.5F * (a + c) - cells.down(cell) / 8.0F, mean - 1.5F * correction,
+         0.5F * (b + d) - cells.down(cell + 1) / 8.0F},
+        {c, 0.5F * (c + d) - cells.across(below) / 8.0F, d}};
+    const auto bias = static_cast<float>(cells.at(cell, 0.0).squaredBias);
+    for (int v = 0; v < kSpacing; ++v) {
+        for (int u = 0; u < kSpacing; ++u) {
+            const int px = kSpacing * x + u;
+            const int py = kSpacing * y + v;
+            if (px < film.area.x0 || px >= film.area.x1) continue;
+            if (py < film.area.y0 || py >= film.area.y1) continue;
+            // At half the distance second differences are a quarter.
+            const glm::vec3 value = 0.25F * (corner[v][u] + corner[v][u + 1] + corner[v + 1][u] +
+                                             corner[v + 1][u + 1] - correction);
+            film.at(px, py) = {Color(value), Color(0.0), 1};
+            pixels[film.offset(px, py)] = bias;
+        }
+    }
+}
+
+/// Puts what is told where corners of pixels are.
+struct CoarseLattice::Refinement {
+    Lattice& fine;
+    std::vector<std::uint32_t>& ends;
+
+    /// `probe()` is asked for only if it is wanted.
+    template <class MakeProbe>
+    void put(int x, int y, bool wanted, const MakeProbe& probe) {
+        if (x < fine.corners.x0 || x >= fine.corners.x1) return;
+        if (y < fine.corners.y0 || y >= fine.corners.y1) return;
+        if (wanted) fine.probes[fine.offset(x, y)] = probe();
+        ends[fine.offset(x, y)] = 0;
+    }
+};
+
+CoarseLattice::Told CoarseLattice::refine(Lattice& fine, Film& film,
+                                          const std::vector<bool>& finePixels,
+                                          double squaredBiasLimit, std::uint32_t samples) const {
     SmoothPixels cells(lattice_);
     cells.measure();
     const std::vector<bool> told = toldCells(cells, fine, finePixels, squaredBiasLimit);
-    std::vector<std::uint32_t> ends(fine.probes.size(), samples);
-    const auto put = [&](int x, int y, const Probe& probe) {
-        if (x < fine.corners.x0 || x >= fine.corners.x1) return;
-        if (y < fine.corners.y0 || y >= fine.corners.y1) return;
-        fine.probes[fine.offset(x, y)] = probe;
-        ends[fine.offset(x, y)] = 0;
-    };
+    Told result{std::vector<std::uint32_t>(fine.probes.size(), samples),
+                ToldPixels(film.pixels.size(), kUntold)};
+    Refinement refinement{fine, result.ends};
     // A line between two cells is told if both are, and as both tell it alike.
     const std::size_t stride = lattice_.stride();
     const Tile& corners = lattice_.corners;
@@ -88,30 +142,35 @@ std::vector<std::uint32_t> CoarseLattice::refine(Lattice& fine, const std::vecto
         for (int x = corners.x0; x < corners.x1; ++x) {
             const std::size_t cell = lattice_.offset(x, y);
             const Probe& a = lattice_.probes[cell];
-            put(kSpacing * x, kSpacing * y, a);
+            const bool wanted = !isDeepAmongTold(told, x, y);
+            refinement.put(kSpacing * x, kSpacing * y, wanted, [&] { return a; });
             if (!told[cell]) continue;
+            tellPixels(cells, x, y, film, result.pixels);
             const Probe& b = lattice_.probes[cell + 1];
             const Probe& c = lattice_.probes[cell + stride];
             const Probe& d = lattice_.probes[cell + stride + 1];
-            const glm::vec3 bend = 12.0F * cells.correctionAt(cell);
-            put(kSpacing * x + 1, kSpacing * y + 1,
-                between(a, 0.25F * (a.mean() + b.mean() + c.mean() + d.mean()) - bend / 8.0F,
-                        0.25F * (a.position + b.position + c.position + d.position), samples));
-            const auto putMiddle = [&](int u, int v, const Probe& from, const Probe& to,
-                                       const glm::vec3& difference) {
-                put(u, v,
-                    between(from, 0.5F * (from.mean() + to.mean()) - difference / 8.0F,
-                            0.5F * (from.position + to.position), samples));
+            refinement.put(kSpacing * x + 1, kSpacing * y + 1, wanted, [&] {
+                return between(a,
+                               0.25F * (a.mean() + b.mean() + c.mean() + d.mean()) -
+                                   1.5F * cells.correctionAt(cell),
+                               0.25F * (a.position + b.position + c.position + d.position),
+                               samples);
+            });
+            const auto putMiddle = [&](int u, int v, const Probe& to, const auto& difference) {
+                refinement.put(u, v, wanted, [&] {
+                    return between(a, 0.5F * (a.mean() + to.mean()) - difference() / 8.0F,
+                                   0.5F * (a.position + to.position), samples);
+                });
             };
             if (y > corners.y0 && told[cell - stride]) {
-                putMiddle(kSpacing * x + 1, kSpacing * y, a, b, cells.across(cell));
+                putMiddle(kSpacing * x + 1, kSpacing * y, b, [&] { return cells.across(cell); });
             }
             if (x > corners.x0 && told[cell - 1]) {
-                putMiddle(kSpacing * x, kSpacing * y + 1, a, c, cells.down(cell));
+                putMiddle(kSpacing * x, kSpacing * y + 1, c, [&] { return cells.down(cell); });
             }
         }
     }
-    return ends;
+    return result;
 }
 
 }  // namespace rt

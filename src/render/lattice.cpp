@@ -133,7 +133,7 @@ bool SmoothPixels::isUncertain(std::size_t corner) const {
             kProbeUncertain) != 0;
 }
 
-bool SmoothPixels::isSmooth(std::size_t corner) const {
+bool SmoothPixels::isOfOnePiece(std::size_t corner) const {
     const std::size_t below = corner + lattice_.stride();
     const Probe& a = lattice_.probes[corner];
     const Probe& b = lattice_.probes[corner + 1];
@@ -144,16 +144,22 @@ bool SmoothPixels::isSmooth(std::size_t corner) const {
     const bool same = a.surfaces == b.surfaces && a.surfaces == c.surfaces &&
                       a.surfaces == d.surfaces && (lit & dark) == 0;
     if (!same || ((a.marks | b.marks | c.marks | d.marks) & kProbeDetail)) return false;
-    return isOneSurface(a, d) && isOneSurface(b, c) && correction(corner).known;
+    return isOneSurface(a, d) && isOneSurface(b, c);
 }
 
-SmoothPixel SmoothPixels::at(std::size_t corner, double noise) const {
+std::optional<SmoothPixel> SmoothPixels::find(std::size_t corner, double noise) const {
+    if (!isOfOnePiece(corner)) return std::nullopt;
+    const Correction off = correction(corner);
+    if (!off.known) return std::nullopt;
+    return at(corner, noise, off);
+}
+
+SmoothPixel SmoothPixels::at(std::size_t corner, double noise, const Correction& off) const {
     const std::size_t below = corner + lattice_.stride();
     SmoothPixel pixel;
     for (const std::size_t i : {corner, corner + 1, below, below + 1}) {
         pixel.value += 0.25F * lattice_.probes[i].mean();
     }
-    const Correction off = correction(corner);
     const double squaredChange = static_cast<double>(off.squaredChange) / 3.0;
     const double squared = static_cast<double>(glm::dot(off.value, off.value)) / 3.0;
     if (isUncertain(corner)) {

@@ -39,20 +39,27 @@ TraceSettings settingsFor(const RenderJob& job) {
 template <class Grid, class Value, class Trace>
 void onTile(const Tile& tile, const Grid& grid, std::vector<Value>& values,
             const std::vector<std::uint32_t>& ends, const Trace& trace) {
+    const auto width = static_cast<std::size_t>(tile.width());
+    const auto anyLacks = [&](int y) {
+        const std::size_t row = grid.offset(tile.x0, y);
+        for (std::size_t i = row; i < row + width; ++i) {
+            if (ends[i] > values[i].samples) return true;
+        }
+        return false;
+    };
+    int first = tile.y0;
+    while (first < tile.y1 && !anyLacks(first)) ++first;
+    if (first == tile.y1) return;
     std::vector<Value> tileValues;
     std::vector<std::uint32_t> tileEnds;
-    tileValues.reserve(static_cast<std::size_t>(tile.width() * tile.height()));
+    tileValues.reserve(width * static_cast<std::size_t>(tile.height()));
     tileEnds.reserve(tileValues.capacity());
-    bool lacking = false;
     for (int y = tile.y0; y < tile.y1; ++y) {
-        const std::size_t row = grid.offset(tile.x0, y);
-        for (std::size_t i = row; i < row + static_cast<std::size_t>(tile.width()); ++i) {
-            lacking = lacking || ends[i] > values[i].samples;
-            tileValues.push_back(values[i]);
-            tileEnds.push_back(ends[i]);
-        }
+        const auto row = static_cast<std::ptrdiff_t>(grid.offset(tile.x0, y));
+        const auto end = row + tile.width();
+        tileValues.insert(tileValues.end(), values.begin() + row, values.begin() + end);
+        tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + end);
     }
-    if (!lacking) return;
     trace(tileEnds.data(), tileValues.data());
     const Value* done = tileValues.data();
     for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
@@ -207,9 +214,9 @@ class TowardsTarget {
         double share = 0.0;
         if (lattice_) {
             share = 0.2;
-            probeAll(share);
+            const ToldPixels told = probeAll(share);
             const double bias = kBiasLimit * job_.errorTarget;
-            if (!run_.stopped()) adaptive_->classify(bias * bias);
+            if (!run_.stopped()) adaptive_->classify(bias * bias, told);
         }
         advance(adaptive_->first(goal.firstSamples), share);
         bool reached = false;
@@ -237,13 +244,15 @@ class TowardsTarget {
 
   private:
     /// Every other corner, and those between which these leave open.
-    void probeAll(double share) {
+    ToldPixels probeAll(double share) {
         CoarseLattice coarse(job_.area);
         run_.probe(std::vector<std::uint32_t>(coarse.lattice().probes.size(), kFirstLightSamples),
                    coarse.lattice(), 0.0, 0.5 * share);
         const double bias = kCoarseBias * job_.errorTarget;
-        run_.probe(coarse.refine(*lattice_, fine_, bias * bias, kFirstLightSamples), *lattice_,
-                   0.5 * share, share);
+        CoarseLattice::Told told =
+            coarse.refine(*lattice_, film_, fine_, bias * bias, kFirstLightSamples);
+        run_.probe(told.ends, *lattice_, 0.5 * share, share);
+        return std::move(told.pixels);
     }
 
     void advance(const AdaptivePass& pass, double& share) {

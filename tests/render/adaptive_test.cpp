@@ -136,7 +136,7 @@ TEST_CASE("a smooth pixel is the mean over its square, to the third order") {
     const Lattice lattice = latticeOf(6, 5, f);
     Film film(Tile{0, 0, 6, 5});
     Adaptive adaptive(film, &lattice, {});
-    adaptive.classify(1.0);
+    adaptive.classify(1.0, {});
     adaptive.update();
     adaptive.settle();
     for (int y = 0; y < 5; ++y) {
@@ -154,7 +154,7 @@ TEST_CASE("pixels are sampled where surfaces, sharp shadows, detail or folds com
         change(lattice);
         Film film(Tile{0, 0, 8, 8});
         Adaptive adaptive(film, &lattice, {});
-        adaptive.classify(1.0);
+        adaptive.classify(1.0, {});
         const AdaptivePass pass = adaptive.first(4);
         CHECK(pass.pixels[film.offset(0, 0)] <= 1);
         return pass.pixels[film.offset(4, 4)] == 4;
@@ -183,7 +183,7 @@ TEST_CASE("an uncertain corner's variance counts a sixteenth in each smooth pixe
     probe.sum = glm::vec3(1.0F);  // halves at 0.4 and 0.6: variance 0.01
     Film film(Tile{0, 0, 8, 8});
     Adaptive adaptive(film, &lattice, {});
-    adaptive.classify(1.0);
+    adaptive.classify(1.0, {});
     adaptive.update();
     CHECK(adaptive.squaredErrorAt(film.offset(4, 4)) == doctest::Approx(0.01 / 16).epsilon(0.01));
     CHECK(adaptive.squaredErrorAt(film.offset(3, 3)) == doctest::Approx(0.01 / 16).epsilon(0.01));
@@ -204,7 +204,7 @@ TEST_CASE("an error is known only where corners were classified and pixels have 
     Film film(Tile{0, 0, 4, 4});
     Adaptive adaptive(film, &lattice, {});
     CHECK_FALSE(adaptive.knowsError());
-    adaptive.classify(1.0);
+    adaptive.classify(1.0, {});
     CHECK(adaptive.knowsError());
 }
 

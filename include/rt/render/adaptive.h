@@ -42,8 +42,9 @@ class Adaptive {
     Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine);
 
     /// Tells smooth pixels from others, once all corners have been probed. Those whose bias alone
-    /// is above `squaredBiasLimit` are sampled.
-    void classify(double squaredBiasLimit);
+    /// is above `squaredBiasLimit` are sampled. `told` may be empty: pixels of which all is known
+    /// (coarse_lattice.h).
+    void classify(double squaredBiasLimit, const ToldPixels& told);
 
     /// Brings the estimates up to date with the film and the lattice.
     void update();
@@ -76,11 +77,16 @@ class Adaptive {
     std::size_t cornerOf(std::size_t pixel) const { return pixel + pixel / width_; }
     bool isSmooth(std::size_t pixel) const { return kind_[pixel] != Kind::kSampled; }
     void listPlaces();
+    void measureCorners(const ToldPixels& told);
+    void classifyPixel(std::size_t pixel, double squaredBiasLimit);
     void updateCorners();
-    void updateSmooth(std::size_t pixel);
-    void settle(std::size_t pixel);
+    void updateVariance(std::size_t corner);
+    void updateSmoothPixels();
+    void updateSampledPixels();
+    void updatePooledError(std::size_t pixel);
+    void keep(std::size_t pixel, const SmoothPixel& found, double noise);
+    void settle(std::size_t pixel, const SmoothPixel& found);
     void settleUnclassified(std::size_t pixel);
-    void updateSampled();
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;
     std::vector<Work> openWork(const AdaptiveGoal& goal) const;
@@ -89,6 +95,14 @@ class Adaptive {
 
     /// Uncertain pixels are smooth, and depend on lights that had to be sampled.
     enum class Kind : std::uint8_t { kSampled, kSmooth, kUncertain };
+
+    /// What one place's own samples say, and when that was last looked at.
+    struct Evidence {
+        double error = 0.0;          ///< squared, before averaging over neighbours
+        std::uint32_t samples = 0;   ///< that it is from
+        std::uint32_t lastWork = 0;  ///< the last update that worked on it
+    };
+    bool isFirstWorkOn(Evidence& place) const;
 
     Film& film_;
     const Lattice* lattice_;
@@ -99,11 +113,14 @@ class Adaptive {
     std::vector<std::size_t> sampled_;  ///< pixels
     std::vector<std::size_t> uncertainPixels_;
     std::vector<std::size_t> uncertainCorners_;
-    std::vector<double> ownError_;    ///< of sampled pixels and uncertain corners, before averaging
-    std::vector<double> pixelError_;  ///< estimated squared error of each pixel
-    std::vector<double> bias_;        ///< squared, of smooth pixels
-    std::vector<bool> isBiased_;      ///< where `bias_` is more than noise
-    std::vector<double> variance_;    ///< of each corner's mean
+    std::vector<std::size_t> changed_;  ///< places with more samples than at the last update
+    std::vector<Evidence> pixelEvidence_;
+    std::vector<Evidence> cornerEvidence_;
+    std::uint32_t updates_ = 0;
+    std::vector<double> pixelError_;      ///< estimated squared error of each pixel
+    std::vector<double> bias_;            ///< squared, of smooth pixels
+    std::vector<std::uint8_t> isBiased_;  ///< where `bias_` is more than noise
+    std::vector<double> variance_;        ///< of each corner's mean
     double squaredError_ = 0.0;
     bool classified_;
 };

@@ -2,6 +2,7 @@
 // in between are what their neighbours say.
 #pragma once
 
+#include "rt/render/film.h"
 #include "rt/render/lattice.h"
 
 #include <cstdint>
@@ -16,19 +17,29 @@ class CoarseLattice {
 
     Lattice& lattice() { return lattice_; }
 
-    /// Puts into `fine` what the probes of the coarse lattice tell of it, and returns how many
-    /// samples the corners need in which they leave something open: `samples`, or 0. A cell is told
+    /// What the coarse lattice tells.
+    struct Told {
+        std::vector<std::uint32_t> ends;  ///< samples that the corners of pixels need
+        ToldPixels pixels;
+    };
+
+    /// Puts into `fine` and `film` what the probes of the coarse lattice tell of them. Corners of
+    /// which they leave something open need `samples`, others 0. A cell is told
     /// by its corners if all were looked through, it is smooth, nothing about its lights is
     /// uncertain, its squared bias is at most `squaredBiasLimit` and no pixel in it is in
     /// `finePixels`. With second differences D across a line, the corner in the middle of its ends
     /// a and b is (a + b) / 2 - D / 8, and that in the middle of the cell its mean - (D_x + D_y)
-    /// / 8.
-    std::vector<std::uint32_t> refine(Lattice& fine, const std::vector<bool>& finePixels,
-                                      double squaredBiasLimit, std::uint32_t samples) const;
+    /// / 8. Corners that only told pixels have, or are next to, are left out.
+    Told refine(Lattice& fine, Film& film, const std::vector<bool>& finePixels,
+                double squaredBiasLimit, std::uint32_t samples) const;
 
   private:
+    struct Refinement;
+
     std::vector<bool> toldCells(const SmoothPixels& cells, const Lattice& fine,
                                 const std::vector<bool>& finePixels, double squaredBiasLimit) const;
+    bool isDeepAmongTold(const std::vector<bool>& told, int x, int y) const;
+    void tellPixels(const SmoothPixels& cells, int x, int y, Film& film, ToldPixels& pixels) const;
 
     Lattice lattice_;
 };

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rt {
@@ -30,6 +31,10 @@ struct Lattice {
     std::vector<Probe> probes;
     int spacing = 1;  ///< pixels from one corner to the next
 };
+
+/// Of each pixel of an area the squared bias that is left, or kUntold.
+using ToldPixels = std::vector<float>;
+inline constexpr float kUntold = -1.0F;
 
 /// A pixel's mean by its corners.
 struct SmoothPixel {
@@ -58,12 +63,14 @@ class SmoothPixels {
     /// The same again at one corner, whose probe or neighbours have changed.
     void measure(std::size_t corner);
 
-    /// Whether the pixel with this upper left corner is smooth: all corners met the same surfaces,
+    /// The pixel with this upper left corner, if it is smooth: all corners met the same surfaces,
     /// on one side of each sharp shadow, their surface does not bend away between them, and
-    /// neighbours tell the differences both ways.
-    bool isSmooth(std::size_t corner) const;
-    /// Of a smooth pixel; `noise` is the variance of a corner's colour.
-    SmoothPixel at(std::size_t corner, double noise) const;
+    /// neighbours tell the differences both ways. `noise` is the variance of a corner's colour.
+    std::optional<SmoothPixel> find(std::size_t corner, double noise) const;
+    /// The same of a pixel that is known to be smooth.
+    SmoothPixel at(std::size_t corner, double noise) const {
+        return at(corner, noise, correction(corner));
+    }
     /// The correction (f_xx + f_yy) / 12 of a pixel, and the second differences along the line from
     /// its corner to the right, and down, in the mean of what is known.
     glm::vec3 correctionAt(std::size_t corner) const { return correction(corner).value; }
@@ -93,6 +100,8 @@ class SmoothPixels {
     static glm::vec3 meanOfKnown(const Difference& a, const Difference& b);
     Difference difference(std::size_t corner, std::size_t step) const;
     Correction correction(std::size_t corner) const;
+    bool isOfOnePiece(std::size_t corner) const;
+    SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
     const Lattice& lattice_;
     std::vector<Bend> bends_;
