@@ -100,7 +100,7 @@ bool isConvex(const Shape& shape) {
     return !std::holds_alternative<Torus>(shape) && !isMesh(shape);
 }
 
-/// Calls found(item) for the leaves of the tree whose boxes the hull may meet.
+/// Calls found(item) for the leaves of the tree whose boxes the hull may meet, while it is true.
 template <class Found>
 void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
     const TreeFrame& frame = tree.frame();
@@ -114,7 +114,9 @@ void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
     while (size > 0) {
         const ChildRef child = ChildRef::fromBits(stack[--size]);
         if (child.isLeaf()) {
-            for (std::uint32_t k = 0; k < child.count(); ++k) found(tree.item(child.first() + k));
+            for (std::uint32_t k = 0; k < child.count(); ++k) {
+                if (!found(tree.item(child.first() + k))) return;
+            }
             continue;
         }
         const WideNode& node = tree.nodes()[child.nodeIndex()];
@@ -172,18 +174,40 @@ bool liesBehindTangentPlane(const Shape& shape, const PrimitiveHit& hit) {
     return std::visit(BehindTangentPlane{hit}, shape);
 }
 
+bool meetsHull(const RenderScene& scene, const ShadowHull& hull, Index item) {
+    const Instance& instance = scene.instances[item];
+    const Shape& shape = scene.shapes[instance.shape];
+    if (instance.objectScale > 0.0) {
+        return std::visit(MeetsHull{inObjectSpace(hull, instance)}, shape);
+    }
+    return hull.mayMeet(instance.transform.boundsToWorld(boundsOf(shape)));
+}
+
 Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except) {
     Occluders occluders;
     if (scene.tree.isEmpty()) return occluders;
     walk(scene.tree, hull, [&](Index item) {
-        if (item == except || occluders.overflow) return;
-        const Instance& instance = scene.instances[item];
-        const bool met =
-            !(instance.objectScale > 0.0) ||
-            std::visit(MeetsHull{inObjectSpace(hull, instance)}, scene.shapes[instance.shape]);
-        if (met) occluders.add(item);
+        if (item != except && !occluders.overflow && meetsHull(scene, hull, item)) {
+            occluders.add(item);
+        }
+        return !occluders.overflow;
     });
     return occluders;
+}
+
+bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t most,
+                  std::vector<Index>& items) {
+    items.clear();
+    if (scene.tree.isEmpty()) return true;
+    bool all = true;
+    walk(scene.tree, hull, [&](Index item) {
+        if (meetsHull(scene, hull, item)) {
+            all = items.size() < most;
+            if (all) items.push_back(item);
+        }
+        return all;
+    });
+    return all;
 }
 
 double thicknessOf(const RenderScene& scene, Index item) {

@@ -6,6 +6,8 @@
 #include "rt/trace/trace_kernel.h"
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 namespace rt {
 
@@ -45,6 +47,13 @@ struct Occluders {
 /// Whether all of the shape lies behind its tangent plane at a hit, so that it casts no shadow on
 /// that point from any light before the plane: convex solids, and the outer half of a torus.
 bool liesBehindTangentPlane(const Shape& shape, const PrimitiveHit& hit);
+
+/// Whether the hull may meet an instance.
+bool meetsHull(const RenderScene& scene, const ShadowHull& hull, Index instance);
+
+/// Lists the instances that may meet the hull; false if they are more than `most`.
+bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t most,
+                  std::vector<Index>& instances);
 
 /// The instances that may meet the hull, `except` left out.
 Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "medium_set.h"
+#include "occluder_cache.h"
 #include "ray_differential.h"
 #include "rt/sampling/sampler.h"
 #include "rt/shading/light_sample.h"
@@ -143,6 +144,7 @@ class Tracer {
     std::vector<Path> pending_;
     /// The crossings at the last hit: one, or several where surfaces coincide.
     std::vector<SceneHit> together_;
+    OccluderCache occluderCache_;
 };
 
 }  // namespace rt

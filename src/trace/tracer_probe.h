@@ -117,9 +117,9 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         horizon == LightHorizon::kAbove && !point.fromInside &&
         liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);
     const double lift = point.isRounded() ? glm::length(point.shadowOrigin - point.position) : 0.0;
-    const Occluders occluders =
-        occludersIn(scene_, {point.position, margin + lift, light.position, light.radius},
-                    behind ? hit.instance : kNone);
+    const Occluders occluders = occluderCache_.occludersIn(
+        scene_, {point.position, margin + lift, light.position, light.radius}, index, path.node,
+        behind ? hit.instance : kNone);
     if (occluders.none()) {
         if (const std::optional<Color> mean = unoccludedMean(
                 point.material, point.normal, -path.ray.direction, light, *view, horizon)) {
