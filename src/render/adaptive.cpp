@@ -112,6 +112,7 @@ void Adaptive::classify(double squaredBiasLimit, const ToldPixels& told) {
 
 /// The second differences at the corners of pixels that are not told.
 void Adaptive::measureCorners(const ToldPixels& told) {
+    smoothPixels_->readColors();
     if (told.empty()) return smoothPixels_->measure();
     const Tile& area = film_.area;
     std::size_t corner = 0;
@@ -219,6 +220,7 @@ void Adaptive::keep(std::size_t pixel, const SmoothPixel& found, double noise) {
 /// pixels up to two away depend on it.
 void Adaptive::updateSmoothPixels() {
     const std::size_t stride = lattice_->stride();
+    for (const std::size_t i : changed_) smoothPixels_->readColor(i);
     for (const std::size_t i : changed_) {
         const std::size_t column = i % stride;
         smoothPixels_->measure(i);
@@ -422,7 +424,7 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
 }
 
 void Adaptive::settle(std::size_t pixel, const SmoothPixel& found) {
-    film_.pixels[pixel] = {Color(found.value), Color(0.0), 1};
+    film_.pixels[pixel] = {Color(found.color()), Color(0.0), 1};
 }
 
 void Adaptive::settleUnclassified(std::size_t pixel) {

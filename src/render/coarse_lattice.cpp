@@ -16,10 +16,15 @@ Tile coarseArea(const Tile& area) {
     return {halved(area.x0), halved(area.y0), halved(area.x1 + 1), halved(area.y1 + 1)};
 }
 
+Color asColor(const ColorLanes& c) {
+    return Color(glm::vec3(c[0], c[1], c[2]));
+}
+
 /// A probe between others: with the evidence of `like`.
-Probe between(const Probe& like, const glm::vec3& colour, const glm::vec3& position,
+Probe between(const Probe& like, const ColorLanes& lanes, const glm::vec3& position,
               std::uint32_t samples) {
     Probe probe = like;
+    const glm::vec3 colour(lanes[0], lanes[1], lanes[2]);
     probe.samples = samples;
     probe.sum = colour * static_cast<float>(samples);
     probe.half = colour * static_cast<float>(samples / 2);
@@ -84,17 +89,15 @@ void CoarseLattice::tellPixels(const SmoothPixels& cells, int x, int y, Film& fi
                                ToldPixels& pixels) const {
     const std::size_t cell = lattice_.offset(x, y);
     const std::size_t below = cell + lattice_.stride();
-    const glm::vec3 a = lattice_.probes[cell].mean();
-    const glm::vec3 b = lattice_.probes[cell + 1].mean();
-    const glm::vec3 c = lattice_.probes[below].mean();
-    const glm::vec3 d = lattice_.probes[below + 1].mean();
-    const glm::vec3 correction = cells.correctionAt(cell);
-    const glm::vec3 mean = 0.25F * (a + b + c + d);
-    const glm::vec3 corner[3][3] = {
-        {a, 0.5F * (a + b) - cells.across(cell) / 8.0F, b},
-        {0.5F * (a + c) - cells.down(cell) / 8.0F, mean - 1.5F * correction,
-         0.5F * (b + d) - cells.down(cell + 1) / 8.0F},
-        {c, 0.5F * (c + d) - cells.across(below) / 8.0F, d}};
+    const ColorLanes a = cells.colorAt(cell);
+    const ColorLanes b = cells.colorAt(cell + 1);
+    const ColorLanes c = cells.colorAt(below);
+    const ColorLanes d = cells.colorAt(below + 1);
+    const ColorLanes correction = cells.correctionAt(cell);
+    const ColorLanes corner[3][3] = {
+        {a, cells.middleOfTop(cell), b},
+        {cells.middleOfLeft(cell), cells.centreOf(cell), cells.middleOfLeft(cell + 1)},
+        {c, cells.middleOfTop(below), d}};
     const auto bias = static_cast<float>(cells.at(cell, 0.0).squaredBias);
     for (int v = 0; v < kSpacing; ++v) {
         for (int u = 0; u < kSpacing; ++u) {
@@ -103,9 +106,9 @@ void CoarseLattice::tellPixels(const SmoothPixels& cells, int x, int y, Film& fi
             if (px < film.area.x0 || px >= film.area.x1) continue;
             if (py < film.area.y0 || py >= film.area.y1) continue;
             // At half the distance second differences are a quarter.
-            const glm::vec3 value = 0.25F * (corner[v][u] + corner[v][u + 1] + corner[v + 1][u] +
-                                             corner[v + 1][u + 1] - correction);
-            film.at(px, py) = {Color(value), Color(0.0), 1};
+            const ColorLanes value = 0.25F * (corner[v][u] + corner[v][u + 1] + corner[v + 1][u] +
+                                              corner[v + 1][u + 1] - correction);
+            film.at(px, py) = {asColor(value), Color(0.0), 1};
             pixels[film.offset(px, py)] = bias;
         }
     }
@@ -130,6 +133,7 @@ CoarseLattice::Told CoarseLattice::refine(Lattice& fine, Film& film,
                                           const std::vector<bool>& finePixels,
                                           double squaredBiasLimit, std::uint32_t samples) const {
     SmoothPixels cells(lattice_);
+    cells.readColors();
     cells.measure();
     const std::vector<bool> told = toldCells(cells, fine, finePixels, squaredBiasLimit);
     Told result{std::vector<std::uint32_t>(fine.probes.size(), samples),
@@ -150,23 +154,21 @@ CoarseLattice::Told CoarseLattice::refine(Lattice& fine, Film& film,
             const Probe& c = lattice_.probes[cell + stride];
             const Probe& d = lattice_.probes[cell + stride + 1];
             refinement.put(kSpacing * x + 1, kSpacing * y + 1, wanted, [&] {
-                return between(a,
-                               0.25F * (a.mean() + b.mean() + c.mean() + d.mean()) -
-                                   1.5F * cells.correctionAt(cell),
+                return between(a, cells.centreOf(cell),
                                0.25F * (a.position + b.position + c.position + d.position),
                                samples);
             });
-            const auto putMiddle = [&](int u, int v, const Probe& to, const auto& difference) {
-                refinement.put(u, v, wanted, [&] {
-                    return between(a, 0.5F * (a.mean() + to.mean()) - difference() / 8.0F,
-                                   0.5F * (a.position + to.position), samples);
-                });
-            };
             if (y > corners.y0 && told[cell - stride]) {
-                putMiddle(kSpacing * x + 1, kSpacing * y, b, [&] { return cells.across(cell); });
+                refinement.put(kSpacing * x + 1, kSpacing * y, wanted, [&] {
+                    return between(a, cells.middleOfTop(cell), 0.5F * (a.position + b.position),
+                                   samples);
+                });
             }
             if (x > corners.x0 && told[cell - 1]) {
-                putMiddle(kSpacing * x, kSpacing * y + 1, c, [&] { return cells.down(cell); });
+                refinement.put(kSpacing * x, kSpacing * y + 1, wanted, [&] {
+                    return between(a, cells.middleOfLeft(cell), 0.5F * (a.position + c.position),
+                                   samples);
+                });
             }
         }
     }

@@ -12,7 +12,7 @@
 #pragma once
 
 #include "rt/render/film.h"
-#include "rt/render/lattice.h"
+#include "rt/render/smooth_pixels.h"
 
 #include <cstdint>
 #include <optional>

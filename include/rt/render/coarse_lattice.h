@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rt/render/film.h"
-#include "rt/render/lattice.h"
+#include "rt/render/smooth_pixels.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,9 +27,7 @@ class CoarseLattice {
     /// which they leave something open need `samples`, others 0. A cell is told
     /// by its corners if all were looked through, it is smooth, nothing about its lights is
     /// uncertain, its squared bias is at most `squaredBiasLimit` and no pixel in it is in
-    /// `finePixels`. With second differences D across a line, the corner in the middle of its ends
-    /// a and b is (a + b) / 2 - D / 8, and that in the middle of the cell its mean - (D_x + D_y)
-    /// / 8. Corners that only told pixels have, or are next to, are left out.
+    /// `finePixels`. Corners that only told pixels have, or are next to, are left out.
     Told refine(Lattice& fine, Film& film, const std::vector<bool>& finePixels,
                 double squaredBiasLimit, std::uint32_t samples) const;
 
