@@ -21,8 +21,16 @@ constexpr double kContrastDoubt = 0.125;
 constexpr double kLightPrice = 0.4;
 constexpr double kLookPrice = 0.5;
 
-/// What the first samples of a pixel leave of the squared error that it had as a smooth one.
+/// The first samples of a pixel that was smooth, in those of others, and what they leave of the
+/// squared error that it had: a few samples of the lights are no better than its corners.
+constexpr std::uint32_t kMoreInstead = 4;
 constexpr double kLeftBySampling = 0.25;
+
+/// Passes aim a little below the squared target: more passes for the last of it cost more.
+constexpr double kAim = 0.95;
+
+/// (7/12)^2 in (1/2)^2: the bias of the wide mean in its step from the narrow one, in squares.
+constexpr double kBiasInStep = 49.0 / 36;
 
 /// Biases below this share of the target's square are left alone: all together they could not take
 /// more of it.
@@ -59,6 +67,14 @@ void forNeighbourhood(const Tile& area, int x, int y, Use&& use) {
 
 }  // namespace
 
+namespace {
+
+std::uint32_t samplesInstead(const AdaptiveGoal& goal) {
+    return std::min(kMoreInstead * goal.firstSamples, goal.maxSamples);
+}
+
+}  // namespace
+
 /// A pixel or a corner that could get more samples.
 struct Adaptive::Work {
     enum class Kind { kPixel, kCorner, kSmooth } kind;
@@ -83,6 +99,7 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
         smoothPixels_.emplace(*lattice_);
         bias_.resize(film.pixels.size());
         isBiased_.resize(film.pixels.size());
+        wide_.resize(film.pixels.size());
         variance_.resize(lattice_->probes.size());
         cornerEvidence_.resize(lattice_->probes.size());
     }
@@ -107,6 +124,8 @@ void Adaptive::classify(double squaredBiasLimit, const ToldPixels& told) {
         }
     }
     listPlaces();
+    for (const std::size_t pixel : uncertainPixels_) lookAtWide(pixel);
+    for (const std::size_t pixel : uncertainPixels_) chooseCorners(pixel);
     classified_ = true;
 }
 
@@ -134,11 +153,11 @@ void Adaptive::classifyPixel(std::size_t pixel, double squaredBiasLimit) {
     const double noise = noiseAround(corner);
     const std::optional<SmoothPixel> found = smoothPixels_->find(corner, noise);
     if (!found) return;
-    keep(pixel, *found, noise);
+    lookAtSmooth(pixel, *found, noise);
     if (found->isBiased && found->squaredBias > squaredBiasLimit) return;
     const bool uncertain = smoothPixels_->isUncertain(corner);
     kind_[pixel] = uncertain ? Kind::kUncertain : Kind::kSmooth;
-    if (!uncertain) settle(pixel, *found);
+    if (!uncertain) settle(pixel, found->value);
 }
 
 bool Adaptive::knowsError() const {
@@ -210,14 +229,83 @@ double Adaptive::noiseAround(std::size_t corner) const {
            (variance_[corner] + variance_[corner + 1] + variance_[below] + variance_[below + 1]);
 }
 
-void Adaptive::keep(std::size_t pixel, const SmoothPixel& found, double noise) {
+void Adaptive::lookAtSmooth(std::size_t pixel, const SmoothPixel& found, double noise) {
     bias_[pixel] = found.squaredBias;
     isBiased_[pixel] = found.isBiased ? 1 : 0;
     pixelError_[pixel] = found.squaredBias + 0.25 * noise;
 }
 
-/// A corner enters the differences at itself and beside it, and the variances of those around it:
-/// pixels up to two away depend on it.
+/// Whether the pixels around are smooth too: then all corners lie on one surface.
+bool Adaptive::isAmongSmooth(std::size_t pixel) const {
+    const std::size_t x = pixel % width_;
+    if (x == 0 || x + 1 == width_ || pixel < width_ || pixel + width_ >= kind_.size()) return false;
+    for (const std::size_t i : {pixel - width_, pixel, pixel + width_}) {
+        if (!isSmooth(i - 1) || !isSmooth(i) || !isSmooth(i + 1)) return false;
+    }
+    return true;
+}
+
+void Adaptive::lookAtWide(std::size_t pixel) {
+    Wide& wide = wide_[pixel];
+    wide.isKnown = isAmongSmooth(pixel);
+    if (!wide.isKnown) return;
+    const std::size_t corner = cornerOf(pixel);
+    const std::size_t stride = lattice_->stride();
+    double all = 0.0;
+    for (std::size_t row = corner - stride - 1; row < corner + 3 * stride - 1; row += stride) {
+        all += variance_[row] + variance_[row + 1] + variance_[row + 2] + variance_[row + 3];
+    }
+    const double inner = 4.0 * noiseAround(corner);
+    // The inner corners weigh 1/16 - 1/4 in the step, the others 1/16.
+    wide.variance = static_cast<float>(all / 256.0);
+    wide.stepVariance = static_cast<float>((all + 8.0 * inner) / 256.0);
+    wide.squaredStep = smoothPixels_->squaredStepToWide(corner);
+}
+
+void Adaptive::chooseCorners(std::size_t pixel) {
+    Wide& wide = wide_[pixel];
+    wide.isChosen = false;
+    const double narrow = bias_[pixel] + 0.25 * noiseAround(cornerOf(pixel));
+    pixelError_[pixel] = narrow;
+    if (!wide.isKnown || !(wide.variance > 0.0F)) return;
+    double excess = 0.0;
+    double count = 0.0;
+    for (const std::size_t i : {pixel - width_, pixel, pixel + width_}) {
+        for (std::size_t j = i - 1; j <= i + 1; ++j) {
+            if (kind_[j] != Kind::kUncertain || !wide_[j].isKnown) continue;
+            excess += static_cast<double>(wide_[j].squaredStep - wide_[j].stepVariance);
+            count += 1.0;
+        }
+    }
+    const double bias = kBiasInStep * std::max(excess / count, 0.0);
+    const double error = bias_[pixel] + bias + static_cast<double>(wide.variance);
+    if (error >= narrow) return;
+    wide.isChosen = true;
+    pixelError_[pixel] = error;
+}
+
+/// Calls use(pixel) for the uncertain pixels at most `reach` away from the changed corners, once
+/// for each.
+template <class Use>
+void Adaptive::forUncertainNear(int reach, Use&& use) {
+    const Tile& area = film_.area;
+    const std::size_t stride = lattice_->stride();
+    ++updates_;
+    for (const std::size_t i : changed_) {
+        const int x = area.x0 + static_cast<int>(i % stride);
+        const int y = area.y0 + static_cast<int>(i / stride);
+        for (int v = std::max(y - reach, area.y0); v < std::min(y + reach, area.y1); ++v) {
+            for (int u = std::max(x - reach, area.x0); u < std::min(x + reach, area.x1); ++u) {
+                const std::size_t pixel = film_.offset(u, v);
+                if (kind_[pixel] != Kind::kUncertain) continue;
+                if (isFirstWorkOn(pixelEvidence_[pixel])) use(pixel);
+            }
+        }
+    }
+}
+
+/// A corner enters the differences at itself and beside it, the variances of those around it, and
+/// the wide means of pixels up to two away, which their neighbours look at.
 void Adaptive::updateSmoothPixels() {
     const std::size_t stride = lattice_->stride();
     for (const std::size_t i : changed_) smoothPixels_->readColor(i);
@@ -229,20 +317,12 @@ void Adaptive::updateSmoothPixels() {
         if (i >= stride) smoothPixels_->measure(i - stride);
         if (i + stride < variance_.size()) smoothPixels_->measure(i + stride);
     }
-    const Tile& area = film_.area;
-    for (const std::size_t i : changed_) {
-        const int x = area.x0 + static_cast<int>(i % stride);
-        const int y = area.y0 + static_cast<int>(i / stride);
-        for (int v = std::max(y - 2, area.y0); v < std::min(y + 2, area.y1); ++v) {
-            for (int u = std::max(x - 2, area.x0); u < std::min(x + 2, area.x1); ++u) {
-                const std::size_t pixel = film_.offset(u, v);
-                if (kind_[pixel] != Kind::kUncertain) continue;
-                if (!isFirstWorkOn(pixelEvidence_[pixel])) continue;
-                const double noise = noiseAround(cornerOf(pixel));
-                keep(pixel, smoothPixels_->at(cornerOf(pixel), noise), noise);
-            }
-        }
-    }
+    forUncertainNear(3, [&](std::size_t pixel) {
+        const double noise = noiseAround(cornerOf(pixel));
+        lookAtSmooth(pixel, smoothPixels_->at(cornerOf(pixel), noise), noise);
+        lookAtWide(pixel);
+    });
+    forUncertainNear(4, [&](std::size_t pixel) { chooseCorners(pixel); });
 }
 
 void Adaptive::updateSampledPixels() {
@@ -310,6 +390,28 @@ double Adaptive::doubtOf(std::size_t pixel) const {
            (samples * std::sqrt(samples));
 }
 
+/// What the variance of each corner adds to the sum of the pixels' squared errors.
+std::vector<float> Adaptive::cornerWeights() const {
+    std::vector<float> weights(variance_.size());
+    const std::size_t stride = lattice_->stride();
+    for (const std::size_t i : uncertainPixels_) {
+        const std::size_t corner = cornerOf(i);
+        if (wide_[i].isChosen) {
+            // Noise may feign some of its bias, and more samples unmask it.
+            const double excess = pixelError_[i] - bias_[i];
+            const auto weight = static_cast<float>(excess / (256.0 * wide_[i].variance));
+            for (std::size_t j = corner - stride - 1; j < corner + 3 * stride - 1; j += stride) {
+                for (std::size_t k = j; k < j + 4; ++k) weights[k] += weight;
+            }
+        } else {
+            for (const std::size_t j : {corner, corner + 1, corner + stride, corner + stride + 1}) {
+                weights[j] += 1.0F / 16.0F;
+            }
+        }
+    }
+    return weights;
+}
+
 std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
     const auto stepsFrom = [&](std::uint64_t samples) {
         int steps = 0;
@@ -325,22 +427,16 @@ std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
                         static_cast<double>(film_.pixels[i].samples), steps, kLeftByDoubling});
     }
     if (!lattice_) return work;
+    const std::uint32_t converted = samplesInstead(goal);
     const double enough = kSmallBias * goal.squaredTarget;
     for (std::size_t i = 0; i < kind_.size(); ++i) {
         if (!isSmooth(i) || !isBiased_[i] || bias_[i] <= enough) continue;
         work.push_back({Work::Kind::kSmooth, i, pixelError_[i], pixelError_[i],
-                        static_cast<double>(goal.firstSamples), 1, kLeftBySampling});
+                        static_cast<double>(converted), 1 + stepsFrom(converted), kLeftBySampling});
     }
-    std::vector<std::uint8_t> smoothAround(variance_.size());
-    const std::size_t stride = lattice_->stride();
-    for (const std::size_t i : uncertainPixels_) {
-        const std::size_t corner = cornerOf(i);
-        for (const std::size_t j : {corner, corner + 1, corner + stride, corner + stride + 1}) {
-            ++smoothAround[j];
-        }
-    }
+    const std::vector<float> weights = cornerWeights();
     for (const std::size_t i : uncertainCorners_) {
-        const double error = variance_[i] * smoothAround[i] / 16.0;
+        const double error = variance_[i] * static_cast<double>(weights[i]);
         if (!(error > 0.0)) continue;
         const auto samples = lattice_->probes[i].samples;
         work.push_back({Work::Kind::kCorner, i, error, error, kLightPrice * samples + kLookPrice,
@@ -371,15 +467,18 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
         double error = item.error;
         double doubt = item.doubt;
         double cost = item.cost;
+        double left = item.left;
         for (int step = 0; step < item.steps; ++step) {
-            prices.offer(doubt / cost, error * (1.0 - item.left));
-            error *= item.left;
-            doubt *= item.left;
-            cost *= 2.0;
+            prices.offer(doubt / cost, error * (1.0 - left));
+            error *= left;
+            doubt *= left;
+            // The first samples of a pixel cost as much as twice as many.
+            if (step > 0 || item.kind != Work::Kind::kSmooth) cost *= 2.0;
+            left = kLeftByDoubling;
         }
     }
-    const double price =
-        prices.priceFor(goal.squaredTarget * static_cast<double>(film_.pixels.size()));
+    const double price = prices.priceFor(kAim * goal.squaredTarget *
+                                         static_cast<double>(film_.pixels.size()));
 
     AdaptivePass pass = standing();
     if (lattice_) {
@@ -396,7 +495,7 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
             kind_[item.place] = Kind::kSampled;
             film_.pixels[item.place] = {};
             sampledMore = true;
-            end = goal.firstSamples;
+            end = samplesInstead(goal);
         } else {
             end *= worthTwo(item, price) ? 4 : 2;
         }
@@ -423,8 +522,8 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
     return pass;
 }
 
-void Adaptive::settle(std::size_t pixel, const SmoothPixel& found) {
-    film_.pixels[pixel] = {Color(found.color()), Color(0.0), 1};
+void Adaptive::settle(std::size_t pixel, const ColorLanes& value) {
+    film_.pixels[pixel] = {asColor(value), Color(0.0), 1};
 }
 
 void Adaptive::settleUnclassified(std::size_t pixel) {
@@ -447,7 +546,8 @@ void Adaptive::settle() {
     }
     for (const std::size_t pixel : uncertainPixels_) {
         const std::size_t corner = cornerOf(pixel);
-        settle(pixel, smoothPixels_->at(corner, noiseAround(corner)));
+        settle(pixel, wide_[pixel].isChosen ? smoothPixels_->wideMean(corner)
+                                            : smoothPixels_->meanOfCorners(corner));
     }
 }
 

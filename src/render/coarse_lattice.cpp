@@ -16,10 +16,6 @@ Tile coarseArea(const Tile& area) {
     return {halved(area.x0), halved(area.y0), halved(area.x1 + 1), halved(area.y1 + 1)};
 }
 
-Color asColor(const ColorLanes& c) {
-    return Color(glm::vec3(c[0], c[1], c[2]));
-}
-
 /// A probe between others: with the evidence of `like`.
 Probe between(const Probe& like, const ColorLanes& lanes, const glm::vec3& position,
               std::uint32_t samples) {

@@ -163,6 +163,10 @@ ColorLanes SmoothPixels::wideMean(std::size_t corner) const {
     return sum * (1.0F / 16.0F);
 }
 
+float SmoothPixels::squaredStepToWide(std::size_t corner) const {
+    return static_cast<float>(squaredLength(wideMean(corner) - meanOfCorners(corner)) / 3.0);
+}
+
 bool SmoothPixels::isUncertain(std::size_t corner) const {
     const std::size_t below = corner + lattice_.stride();
     return ((lattice_.probes[corner].marks | lattice_.probes[corner + 1].marks |

@@ -60,23 +60,22 @@ ShadowHull inObjectSpace(const ShadowHull& hull, const Instance& instance) {
             hull.toRadius * scale};
 }
 
+/// By the bounds of the shape, which compute slowly, and are kept.
 struct MeetsHull {
     const ShadowHull& hull;
+    const Bounds box;
 
-    bool operator()(const Sphere& sphere) const {
-        const Bounds box = sphere.bounds();
+    bool operator()(const Sphere&) const {
         return hull.meetsBall(box.centre(), 0.5 * box.extent().x);
     }
-    bool operator()(const Box& box) const { return hull.mayMeet(box.bounds()); }
-    bool operator()(const Cylinder& cylinder) const { return round(cylinder.bounds(), 0, 2); }
-    bool operator()(const Cone& cone) const { return round(cone.bounds(), 0, 2); }
-    bool operator()(const Torus& torus) const { return round(torus.bounds(), 0, 1); }
-    bool operator()(const std::shared_ptr<const MeshShape>& mesh) const {
-        return hull.mayMeet(mesh->tree.bounds());
-    }
+    bool operator()(const Box&) const { return hull.mayMeet(box); }
+    bool operator()(const Cylinder&) const { return round(0, 2); }
+    bool operator()(const Cone&) const { return round(0, 2); }
+    bool operator()(const Torus&) const { return round(0, 1); }
+    bool operator()(const std::shared_ptr<const MeshShape>&) const { return hull.mayMeet(box); }
 
   private:
-    bool round(const Bounds& box, int i, int j) const {
+    bool round(int i, int j) const {
         return hull.mayMeet(box) && hull.meetsCylinder(box.centre(), 0.5 * box.extent()[i], i, j);
     }
 };
@@ -176,11 +175,12 @@ bool liesBehindTangentPlane(const Shape& shape, const PrimitiveHit& hit) {
 
 bool meetsHull(const RenderScene& scene, const ShadowHull& hull, Index item) {
     const Instance& instance = scene.instances[item];
-    const Shape& shape = scene.shapes[instance.shape];
+    const Bounds box = scene.shapeBoxes[instance.shape].bounds();
     if (instance.objectScale > 0.0) {
-        return std::visit(MeetsHull{inObjectSpace(hull, instance)}, shape);
+        return std::visit(MeetsHull{inObjectSpace(hull, instance), box},
+                          scene.shapes[instance.shape]);
     }
-    return hull.mayMeet(instance.transform.boundsToWorld(boundsOf(shape)));
+    return hull.mayMeet(instance.transform.boundsToWorld(box));
 }
 
 Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except) {
@@ -212,10 +212,9 @@ bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t 
 
 double thicknessOf(const RenderScene& scene, Index item) {
     const Instance& instance = scene.instances[item];
-    const Shape& shape = scene.shapes[instance.shape];
-    if (isMesh(shape)) return kInfinity;
+    if (isMesh(scene.shapes[instance.shape])) return kInfinity;
     if (!(instance.objectScale > 0.0)) return 0.0;
-    const Vec3 size = boundsOf(shape).extent();
+    const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
     return std::min({size.x, size.y, size.z}) / instance.objectScale;
 }
 

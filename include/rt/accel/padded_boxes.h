@@ -46,6 +46,8 @@ struct alignas(32) PaddedBox {
             max[axis] = bounds.max[axis] + kOriginRounding * size;
         }
     }
+
+    Bounds bounds() const { return {{min[0], min[1], min[2]}, {max[0], max[1], max[2]}}; }
 };
 
 /// Four boxes side by side: min x, max x, min y, max y, min z, max z.

@@ -9,6 +9,11 @@
 //             pixel's difference alone is a coin that often falls on 0;
 //   smooth    its bias, and a sixteenth of the variance of each of its four corners, estimated in
 //             the same way from the halves of their samples of the lights.
+//
+// Where lights had to be sampled, the mean W of a smooth pixel's 16 nearest corners has a quarter
+// of the variance of the mean N of its four. On a surface f it is off by 7/12 (f_xx + f_yy), of
+// which W - N holds 1/2: its square, less its variance, in the mean of the neighbours, estimates
+// the square of that bias. The mean of less error counts.
 #pragma once
 
 #include "rt/render/film.h"
@@ -84,11 +89,17 @@ class Adaptive {
     void updateSmoothPixels();
     void updateSampledPixels();
     void updatePooledError(std::size_t pixel);
-    void keep(std::size_t pixel, const SmoothPixel& found, double noise);
-    void settle(std::size_t pixel, const SmoothPixel& found);
+    void lookAtSmooth(std::size_t pixel, const SmoothPixel& found, double noise);
+    void lookAtWide(std::size_t pixel);
+    void chooseCorners(std::size_t pixel);
+    bool isAmongSmooth(std::size_t pixel) const;
+    template <class Use>
+    void forUncertainNear(int reach, Use&& use);
+    void settle(std::size_t pixel, const ColorLanes& value);
     void settleUnclassified(std::size_t pixel);
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;
+    std::vector<float> cornerWeights() const;
     std::vector<Work> openWork(const AdaptiveGoal& goal) const;
     AdaptivePass standing() const;
     static bool worthTwo(const Work& item, double price);
@@ -103,6 +114,15 @@ class Adaptive {
         std::uint32_t lastWork = 0;  ///< the last update that worked on it
     };
     bool isFirstWorkOn(Evidence& place) const;
+
+    /// The mean of a pixel's 16 nearest corners.
+    struct Wide {
+        bool isKnown = false;      ///< all of them lie on one smooth surface
+        bool isChosen = false;     ///< it has less error than the mean of the four
+        float squaredStep = 0.0F;  ///< from the mean of the four to it, mean over the channels
+        float stepVariance = 0.0F;
+        float variance = 0.0F;
+    };
 
     Film& film_;
     const Lattice* lattice_;
@@ -120,6 +140,7 @@ class Adaptive {
     std::vector<double> pixelError_;      ///< estimated squared error of each pixel
     std::vector<double> bias_;            ///< squared, of smooth pixels
     std::vector<std::uint8_t> isBiased_;  ///< where `bias_` is more than noise
+    std::vector<Wide> wide_;              ///< of uncertain pixels
     std::vector<double> variance_;        ///< of each corner's mean
     double squaredError_ = 0.0;
     bool classified_;

@@ -13,13 +13,15 @@ namespace rt {
 /// A colour in four lanes, the last of them 0.
 using ColorLanes = float __attribute__((vector_size(16)));
 
+inline Color asColor(const ColorLanes& lanes) {
+    return Color(glm::vec3(lanes[0], lanes[1], lanes[2]));
+}
+
 /// A pixel's mean by its corners.
 struct SmoothPixel {
     ColorLanes value{};
     double squaredBias = 0.0;  ///< what is estimated to be left, mean over the channels
     bool isBiased = false;     ///< whether that is beyond what noise could feign
-
-    glm::vec3 color() const { return {value[0], value[1], value[2]}; }
 };
 
 /// Pixels as their corners tell them.
@@ -65,8 +67,11 @@ class SmoothPixels {
     /// Whether a light had to be sampled at any of its corners.
     bool isUncertain(std::size_t corner) const;
 
-    /// The mean of the 16 corners of a pixel and its neighbours.
+    /// The mean of a pixel's corners, that of the 16 corners of it and its neighbours, and the
+    /// squared difference of the two, mean over the channels.
+    ColorLanes meanOfCorners(std::size_t corner) const;
     ColorLanes wideMean(std::size_t corner) const;
+    float squaredStepToWide(std::size_t corner) const;
 
   private:
     struct Corner {
@@ -87,7 +92,6 @@ class SmoothPixels {
     static Line lineOf(const ColorLanes& first, bool knowsFirst, const ColorLanes& second,
                        bool knowsSecond);
     static ColorLanes middle(const Corner& a, const Corner& b, const Line& line);
-    ColorLanes meanOfCorners(std::size_t corner) const;
     bool difference(std::size_t corner, std::size_t step, ColorLanes& found) const;
     Correction correction(std::size_t corner) const;
     bool isOfOnePiece(std::size_t corner) const;
