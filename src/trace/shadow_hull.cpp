@@ -1,10 +1,12 @@
 #include "shadow_hull.h"
 
 #include "rt/core/numeric.h"
+#include "rt/math/lanes4.h"
 #include "rt/sampling/warp.h"
 #include "scene_intersect.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rt {
@@ -99,6 +101,58 @@ bool isConvex(const Shape& shape) {
     return !std::holds_alternative<Torus>(shape) && !isMesh(shape);
 }
 
+/// A hull against four boxes at a time: mayMeet, with the divisions done beforehand.
+class HullSlabs {
+  public:
+    explicit HullSlabs(const ShadowHull& hull) {
+        const double growth = hull.toRadius - hull.fromRadius;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double along = hull.to[axis] - hull.from[axis];
+            low_[axis] = {hull.from[axis] + hull.fromRadius, along + growth};
+            high_[axis] = {hull.fromRadius - hull.from[axis], growth - along};
+        }
+    }
+
+    /// Bit i: lane i of `planes`, of a node's boxes from lane `first` on, is met.
+    unsigned meet(const WideNode& node, int first) const {
+        Lanes4 from = Lanes4::all(0.0);
+        Lanes4 to = Lanes4::all(1.0);
+        unsigned mask = 0xf;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Lanes4 lo = Lanes4::load(node.plane[2 * axis] + first);
+            const Lanes4 hi = Lanes4::load(node.plane[2 * axis + 1] + first);
+            mask &= notAbove(lo, hi);
+            low_[axis].narrow(Lanes4::all(low_[axis].constant) - lo, from, to, mask);
+            high_[axis].narrow(hi + Lanes4::all(high_[axis].constant), from, to, mask);
+        }
+        return mask & notAbove(from, to);
+    }
+
+  private:
+    /// Where constant + slope s >= 0.
+    struct Side {
+        Side() = default;
+        Side(double theConstant, double slope)
+            : constant(theConstant), minusReciprocal(slope != 0.0 ? -1.0 / slope : 0.0) {}
+
+        void narrow(Lanes4 value, Lanes4& from, Lanes4& to, unsigned& mask) const {
+            if (minusReciprocal < 0.0) {
+                from = greater(value * Lanes4::all(minusReciprocal), from);
+            } else if (minusReciprocal > 0.0) {
+                to = lesser(value * Lanes4::all(minusReciprocal), to);
+            } else {
+                mask &= notAbove(Lanes4::all(0.0), value);
+            }
+        }
+
+        double constant = 0.0;
+        double minusReciprocal = 0.0;
+    };
+
+    Side low_[3];
+    Side high_[3];
+};
+
 /// Calls found(item) for the leaves of the tree whose boxes the hull may meet, while it is true.
 template <class Found>
 void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
@@ -107,6 +161,7 @@ void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
     // The planes of the boxes were rounded outwards; the hull's own rounding is far below kBoxPad.
     hull.fromRadius += kBoxPad;
     hull.toRadius += kBoxPad;
+    const HullSlabs slabs(hull);
     std::uint32_t stack[(kTreeWidth - 1) * (WideTree::kMaxDepth + 1) + kTreeWidth];
     std::size_t size = 0;
     stack[size++] = ChildRef::node(0).bits();
@@ -119,11 +174,9 @@ void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
             continue;
         }
         const WideNode& node = tree.nodes()[child.nodeIndex()];
-        for (int lane = 0; lane < kTreeWidth; ++lane) {
-            const Bounds box{{node.plane[0][lane], node.plane[2][lane], node.plane[4][lane]},
-                             {node.plane[1][lane], node.plane[3][lane], node.plane[5][lane]}};
-            if (box.min.x <= box.max.x && hull.mayMeet(box)) stack[size++] = node.child[lane];
-        }
+        static_assert(kTreeWidth == 8);
+        unsigned met = slabs.meet(node, 0) | slabs.meet(node, 4) << 4;
+        for (; met != 0; met &= met - 1) stack[size++] = node.child[std::countr_zero(met)];
     }
 }
 
