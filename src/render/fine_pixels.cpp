@@ -1,14 +1,23 @@
 #include "rt/render/fine_pixels.h"
 
+#include "rt/math/portable.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <variant>
 
 namespace rt {
 namespace {
 
 /// Narrower than this, in pixels, a thing may pass between corners, or show in too few of them.
 constexpr double kNarrow = 3.0;
+
+/// In pixels; such a tube is seen from so near that it is not narrow.
+constexpr double kLongestTube = 1 << 20;
+
+constexpr double kTurn = 6.283185307179586;
 
 /// Nothing nearer than this share of its distance to the eye's plane is projected.
 constexpr double kNearest = 0x1p-20;
@@ -43,6 +52,8 @@ struct Strip {
     }
 };
 
+const Strip kEverywhere{Vec2(0.0), -kInfinity, kInfinity};
+
 /// The narrowest strip over the points among those along the lines between two of them: a convex
 /// hull is narrowest across one of its sides.
 Strip narrowest(const std::array<Vec2, 8>& points) {
@@ -63,7 +74,8 @@ Strip narrowest(const std::array<Vec2, 8>& points) {
     return best;
 }
 
-void mark(const std::array<Vec2, 8>& points, const Strip& strip, const Tile& area,
+/// Marks the pixels in the bounds of the points that meet the strip.
+void mark(std::span<const Vec2> points, const Strip& strip, const Tile& area,
           std::vector<bool>& fine) {
     Vec2 low(kInfinity);
     Vec2 high(-kInfinity);
@@ -90,6 +102,33 @@ void mark(const std::array<Vec2, 8>& points, const Strip& strip, const Tile& are
     }
 }
 
+/// Marks the pixels along the tube of a torus that is as narrow, though its box is not.
+void markNarrowTube(const RenderScene& scene, const Instance& instance, const Torus& torus,
+                    const Tile& area, std::vector<bool>& fine) {
+    if (!(instance.objectScale > 0.0)) return;
+    const double pixelsPerLength = 1.0 / (instance.objectScale * scene.camera.pixelSize());
+    const Affine& toWorld = instance.transform.toWorld();
+    const Camera::Projection middle = scene.camera.project(toWorld.point(torus.centre()));
+    const double ring = torus.majorRadius() / instance.objectScale;
+    // Where it is nearer the tube looks wider, the ring longer.
+    const double nearest = middle.depth - ring;
+    if (!(nearest > 0.0)) return;
+    const double width = 2.0 * torus.minorRadius() * pixelsPerLength / middle.depth;
+    const double length = kTurn * torus.majorRadius() * pixelsPerLength / nearest;
+    if (width >= kNarrow || length > kLongestTube) return;
+    const double reach = 0.5 * torus.minorRadius() * pixelsPerLength / nearest + kNarrow / 2.0;
+    const int steps = static_cast<int>(std::ceil(length)) + 1;
+    for (int i = 0; i < steps; ++i) {
+        const double degrees = 360.0 * i / steps;
+        const Vec3 onRing(torus.majorRadius() * portable::cosDegrees(degrees),
+                          torus.majorRadius() * portable::sinDegrees(degrees), 0.0);
+        const Camera::Projection at = scene.camera.project(toWorld.point(torus.centre() + onRing));
+        const std::array<Vec2, 2> square = {Vec2(at.x - reach, at.y - reach),
+                                            Vec2(at.x + reach, at.y + reach)};
+        mark(square, kEverywhere, area, fine);
+    }
+}
+
 }  // namespace
 
 std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
@@ -99,7 +138,11 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
         std::array<Vec2, 8> points;
         if (!project(scene, instance, points)) continue;
         const Strip strip = narrowest(points);
-        if (strip.width() < kNarrow) mark(points, strip, area, fine);
+        if (strip.width() < kNarrow) {
+            mark(points, strip, area, fine);
+        } else if (const auto* torus = std::get_if<Torus>(&scene.shapes[instance.shape])) {
+            markNarrowTube(scene, instance, *torus, area, fine);
+        }
     }
     return fine;
 }

@@ -25,6 +25,10 @@ constexpr double kNoiseOfChange = 20.0;
 /// Squared error of a step of T/2 at an unknown place in the pixel: (T/2)^2 / 12.
 constexpr double kStepInChange = 1.0 / 48;
 
+/// The same of the difference of two corners; and of a step from one to the other.
+constexpr double kNoiseOfSpan = 2.0;
+constexpr double kStepInSpan = 1.0 / 12;
+
 /// Squares of noise this many times above their mean are rarer than one in 300 (three deviations).
 constexpr double kSignificant = 9.0;
 
@@ -167,6 +171,14 @@ float SmoothPixels::squaredStepToWide(std::size_t corner) const {
     return static_cast<float>(squaredLength(wideMean(corner) - meanOfCorners(corner)) / 3.0);
 }
 
+/// Of the wider diagonal, mean over the channels.
+double SmoothPixels::squaredSpanOfCorners(std::size_t corner) const {
+    const std::size_t below = corner + lattice_.stride();
+    const double falling = squaredLength(corners_[below + 1].color - corners_[corner].color);
+    const double rising = squaredLength(corners_[below].color - corners_[corner + 1].color);
+    return std::max(falling, rising) / 3.0;
+}
+
 bool SmoothPixels::isUncertain(std::size_t corner) const {
     const std::size_t below = corner + lattice_.stride();
     return ((lattice_.probes[corner].marks | lattice_.probes[corner + 1].marks |
@@ -200,7 +212,11 @@ SmoothPixel SmoothPixels::at(std::size_t corner, double noise, const Correction&
     pixel.value = meanOfCorners(corner);
     const double squaredChange = static_cast<double>(off.squaredChange) / 3.0;
     const double squared = squaredLength(off.value) / 3.0;
-    if (isUncertain(corner)) {
+    if (!off.known) {
+        const double squaredSpan = squaredSpanOfCorners(corner);
+        pixel.isBiased = squaredSpan > kSignificant * kNoiseOfSpan * noise;
+        if (pixel.isBiased) pixel.squaredBias = kStepInSpan * squaredSpan;
+    } else if (isUncertain(corner)) {
         pixel.isBiased = squared > kSignificant * kNoiseOfDifferences * noise ||
                          squaredChange > kSignificant * kNoiseOfChange * noise;
         if (pixel.isBiased) pixel.squaredBias = squared + kStepInChange * squaredChange;

@@ -28,6 +28,8 @@ class Torus {
     /// Refuses radii that are not > 0 and finite (std::invalid_argument).
     Torus(const Vec3& centre, double majorRadius, double minorRadius);
 
+    const Vec3& centre() const { return centre_; }
+    double majorRadius() const { return major_; }
     double minorRadius() const { return minor_; }
     Bounds bounds() const;
     /// The nearest crossing in `range`, if any. `hit.local` is relative to the centre and within a

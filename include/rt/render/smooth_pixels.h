@@ -52,7 +52,8 @@ class SmoothPixels {
     /// on one side of each sharp shadow, their surface does not bend away between them, and
     /// neighbours tell the differences both ways. `noise` is the variance of a corner's colour.
     std::optional<SmoothPixel> find(std::size_t corner, double noise) const;
-    /// The same of a pixel that is known to be smooth.
+    /// The same of a pixel that was found smooth. Later looks may prove shadows sharper than that,
+    /// and then the differences are unknown: as much as the corners differ may be a step.
     SmoothPixel at(std::size_t corner, double noise) const {
         return at(corner, noise, correction(corner));
     }
@@ -94,6 +95,7 @@ class SmoothPixels {
     static ColorLanes middle(const Corner& a, const Corner& b, const Line& line);
     bool difference(std::size_t corner, std::size_t step, ColorLanes& found) const;
     Correction correction(std::size_t corner) const;
+    double squaredSpanOfCorners(std::size_t corner) const;
     bool isOfOnePiece(std::size_t corner) const;
     SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
