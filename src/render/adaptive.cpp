@@ -1,5 +1,6 @@
 #include "rt/render/adaptive.h"
 
+#include "adaptive_parts.h"
 #include "price_list.h"
 
 #include <algorithm>
@@ -29,45 +30,9 @@ constexpr double kLeftBySampling = 0.25;
 /// Passes aim a little below the squared target: more passes for the last of it cost more.
 constexpr double kAim = 0.95;
 
-/// (7/12)^2 in (1/2)^2: the bias of the wide mean in its step from the narrow one, in squares.
-constexpr double kBiasInStep = 49.0 / 36;
-
 /// Biases below this share of the target's square are left alone: all together they could not take
 /// more of it.
 constexpr double kSmallBias = 1.0 / 16;
-
-double clip(double value) {
-    return std::clamp(value, 0.0, 1.0);
-}
-
-/// ((A - B) / 2)^2, mean over the channels, of the halves `half` and `sum` - `half`.
-template <class Sum>
-double halvesApart(const Sum& sum, const Sum& half, std::uint64_t samples) {
-    const std::uint64_t first = samples / 2;
-    if (first == 0) return 0.0;
-    const auto a = 1.0 / static_cast<double>(first);
-    const auto b = 1.0 / static_cast<double>(samples - first);
-    double squares = 0.0;
-    for (int channel = 0; channel < 3; ++channel) {
-        const auto first_ = static_cast<double>(half[channel]);
-        const auto second = static_cast<double>(sum[channel]) - first_;
-        const double difference = 0.5 * (clip(first_ * a) - clip(second * b));
-        squares += difference * difference;
-    }
-    return squares / 3.0;
-}
-
-/// Calls use(x, y) for a place and its up to eight neighbours, row by row.
-template <class Use>
-void forNeighbourhood(const Tile& area, int x, int y, Use&& use) {
-    for (int v = std::max(y - 1, area.y0); v < std::min(y + 2, area.y1); ++v) {
-        for (int u = std::max(x - 1, area.x0); u < std::min(x + 2, area.x1); ++u) use(u, v);
-    }
-}
-
-}  // namespace
-
-namespace {
 
 std::uint32_t samplesInstead(const AdaptiveGoal& goal) {
     return std::min(kMoreInstead * goal.firstSamples, goal.maxSamples);
@@ -157,7 +122,7 @@ void Adaptive::classifyPixel(std::size_t pixel, double squaredBiasLimit) {
     if (found->isBiased && found->squaredBias > squaredBiasLimit) return;
     const bool uncertain = smoothPixels_->isUncertain(corner);
     kind_[pixel] = uncertain ? Kind::kUncertain : Kind::kSmooth;
-    if (!uncertain) settle(pixel, found->value);
+    if (!uncertain) film_.pixels[pixel] = {asColor(found->value), Color(0.0), 1};
 }
 
 bool Adaptive::knowsError() const {
@@ -175,203 +140,6 @@ void Adaptive::listPlaces() {
     }
 }
 
-/// True once for each place in each update.
-bool Adaptive::isFirstWorkOn(Evidence& place) const {
-    if (place.lastWork == updates_) return false;
-    place.lastWork = updates_;
-    return true;
-}
-
-/// Lists the changed corners, and brings variances up to date around them.
-void Adaptive::updateCorners() {
-    changed_.clear();
-    for (const std::size_t i : uncertainCorners_) {
-        const Probe& probe = lattice_->probes[i];
-        if (cornerEvidence_[i].samples == probe.samples) continue;
-        cornerEvidence_[i].samples = probe.samples;
-        cornerEvidence_[i].error = halvesApart(probe.sum, probe.half, probe.samples);
-        changed_.push_back(i);
-    }
-    const std::size_t stride = lattice_->stride();
-    for (const std::size_t i : changed_) {
-        const int x = lattice_->corners.x0 + static_cast<int>(i % stride);
-        const int y = lattice_->corners.y0 + static_cast<int>(i / stride);
-        forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
-            const std::size_t j = lattice_->offset(u, v);
-            if (!lattice_->probes[j].has(kProbeUncertain)) return;
-            if (isFirstWorkOn(cornerEvidence_[j])) updateVariance(j);
-        });
-    }
-}
-
-void Adaptive::updateVariance(std::size_t corner) {
-    const std::size_t stride = lattice_->stride();
-    const auto samples = static_cast<double>(cornerEvidence_[corner].samples);
-    double sum = 0.0;
-    double count = 0.0;
-    const int x = lattice_->corners.x0 + static_cast<int>(corner % stride);
-    const int y = lattice_->corners.y0 + static_cast<int>(corner / stride);
-    forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
-        const std::size_t j = lattice_->offset(u, v);
-        if (!lattice_->probes[j].has(kProbeUncertain)) return;
-        const Evidence& other = cornerEvidence_[j];
-        const double ratio = static_cast<double>(other.samples) / samples;
-        sum += ratio == 1.0 ? other.error : other.error * ratio * std::sqrt(ratio);
-        count += 1.0;
-    });
-    variance_[corner] = sum / count;
-}
-
-/// Mean of the variances of the corners of the pixel with this upper left corner.
-double Adaptive::noiseAround(std::size_t corner) const {
-    const std::size_t below = corner + lattice_->stride();
-    return 0.25 *
-           (variance_[corner] + variance_[corner + 1] + variance_[below] + variance_[below + 1]);
-}
-
-void Adaptive::lookAtSmooth(std::size_t pixel, const SmoothPixel& found, double noise) {
-    bias_[pixel] = found.squaredBias;
-    isBiased_[pixel] = found.isBiased ? 1 : 0;
-    pixelError_[pixel] = found.squaredBias + 0.25 * noise;
-}
-
-/// Whether the pixels around are smooth too: then all corners lie on one surface.
-bool Adaptive::isAmongSmooth(std::size_t pixel) const {
-    const std::size_t x = pixel % width_;
-    if (x == 0 || x + 1 == width_ || pixel < width_ || pixel + width_ >= kind_.size()) return false;
-    for (const std::size_t i : {pixel - width_, pixel, pixel + width_}) {
-        if (!isSmooth(i - 1) || !isSmooth(i) || !isSmooth(i + 1)) return false;
-    }
-    return true;
-}
-
-void Adaptive::lookAtWide(std::size_t pixel) {
-    Wide& wide = wide_[pixel];
-    wide.isKnown = isAmongSmooth(pixel);
-    if (!wide.isKnown) return;
-    const std::size_t corner = cornerOf(pixel);
-    const std::size_t stride = lattice_->stride();
-    double all = 0.0;
-    for (std::size_t row = corner - stride - 1; row < corner + 3 * stride - 1; row += stride) {
-        all += variance_[row] + variance_[row + 1] + variance_[row + 2] + variance_[row + 3];
-    }
-    const double inner = 4.0 * noiseAround(corner);
-    // The inner corners weigh 1/16 - 1/4 in the step, the others 1/16.
-    wide.variance = static_cast<float>(all / 256.0);
-    wide.stepVariance = static_cast<float>((all + 8.0 * inner) / 256.0);
-    wide.squaredStep = smoothPixels_->squaredStepToWide(corner);
-}
-
-void Adaptive::chooseCorners(std::size_t pixel) {
-    Wide& wide = wide_[pixel];
-    wide.isChosen = false;
-    const double narrow = bias_[pixel] + 0.25 * noiseAround(cornerOf(pixel));
-    pixelError_[pixel] = narrow;
-    if (!wide.isKnown || !(wide.variance > 0.0F)) return;
-    double excess = 0.0;
-    double count = 0.0;
-    for (const std::size_t i : {pixel - width_, pixel, pixel + width_}) {
-        for (std::size_t j = i - 1; j <= i + 1; ++j) {
-            if (kind_[j] != Kind::kUncertain || !wide_[j].isKnown) continue;
-            excess += static_cast<double>(wide_[j].squaredStep - wide_[j].stepVariance);
-            count += 1.0;
-        }
-    }
-    const double bias = kBiasInStep * std::max(excess / count, 0.0);
-    const double error = bias_[pixel] + bias + static_cast<double>(wide.variance);
-    if (error >= narrow) return;
-    wide.isChosen = true;
-    pixelError_[pixel] = error;
-}
-
-/// Calls use(pixel) for the uncertain pixels at most `reach` away from the changed corners, once
-/// for each.
-template <class Use>
-void Adaptive::forUncertainNear(int reach, Use&& use) {
-    const Tile& area = film_.area;
-    const std::size_t stride = lattice_->stride();
-    ++updates_;
-    for (const std::size_t i : changed_) {
-        const int x = area.x0 + static_cast<int>(i % stride);
-        const int y = area.y0 + static_cast<int>(i / stride);
-        for (int v = std::max(y - reach, area.y0); v < std::min(y + reach, area.y1); ++v) {
-            for (int u = std::max(x - reach, area.x0); u < std::min(x + reach, area.x1); ++u) {
-                const std::size_t pixel = film_.offset(u, v);
-                if (kind_[pixel] != Kind::kUncertain) continue;
-                if (isFirstWorkOn(pixelEvidence_[pixel])) use(pixel);
-            }
-        }
-    }
-}
-
-/// A corner enters the differences at itself and beside it, the variances of those around it, and
-/// the wide means of pixels up to two away, which their neighbours look at.
-void Adaptive::updateSmoothPixels() {
-    const std::size_t stride = lattice_->stride();
-    for (const std::size_t i : changed_) smoothPixels_->readColor(i);
-    for (const std::size_t i : changed_) {
-        const std::size_t column = i % stride;
-        smoothPixels_->measure(i);
-        if (column > 0) smoothPixels_->measure(i - 1);
-        if (column + 1 < stride) smoothPixels_->measure(i + 1);
-        if (i >= stride) smoothPixels_->measure(i - stride);
-        if (i + stride < variance_.size()) smoothPixels_->measure(i + stride);
-    }
-    forUncertainNear(3, [&](std::size_t pixel) {
-        const double noise = noiseAround(cornerOf(pixel));
-        lookAtSmooth(pixel, smoothPixels_->at(cornerOf(pixel), noise), noise);
-        lookAtWide(pixel);
-    });
-    forUncertainNear(4, [&](std::size_t pixel) { chooseCorners(pixel); });
-}
-
-void Adaptive::updateSampledPixels() {
-    changed_.clear();
-    for (const std::size_t i : sampled_) {
-        const PixelState& pixel = film_.pixels[i];
-        const auto samples = static_cast<std::uint32_t>(pixel.samples);
-        if (pixelEvidence_[i].samples == samples) continue;
-        pixelEvidence_[i].samples = samples;
-        pixelEvidence_[i].error = halvesApart(pixel.sum, pixel.half, samples);
-        changed_.push_back(i);
-    }
-    for (const std::size_t i : changed_) {
-        const int x = film_.area.x0 + static_cast<int>(i % width_);
-        const int y = film_.area.y0 + static_cast<int>(i / width_);
-        forNeighbourhood(film_.area, x, y, [&](int u, int v) {
-            const std::size_t j = film_.offset(u, v);
-            if (!isSmooth(j) && isFirstWorkOn(pixelEvidence_[j])) updatePooledError(j);
-        });
-    }
-}
-
-void Adaptive::updatePooledError(std::size_t pixel) {
-    double sum = 0.0;
-    double count = 0.0;
-    const int x = film_.area.x0 + static_cast<int>(pixel % width_);
-    const int y = film_.area.y0 + static_cast<int>(pixel / width_);
-    forNeighbourhood(film_.area, x, y, [&](int u, int v) {
-        const std::size_t j = film_.offset(u, v);
-        if (isSmooth(j)) return;
-        sum += pixelEvidence_[j].error * static_cast<double>(pixelEvidence_[j].samples);
-        count += 1.0;
-    });
-    const auto samples = static_cast<double>(pixelEvidence_[pixel].samples);
-    pixelError_[pixel] = samples > 0.0 ? sum / (count * samples) : 0.0;
-}
-
-void Adaptive::update() {
-    ++updates_;
-    if (lattice_ && classified_) {
-        updateCorners();
-        updateSmoothPixels();
-    }
-    updateSampledPixels();
-    double sum = 0.0;
-    for (const double error : pixelError_) sum += error;
-    squaredError_ = pixelError_.empty() ? 0.0 : sum / static_cast<double>(pixelError_.size());
-}
-
 /// What the contrast to the neighbours says that a sampled pixel might have missed.
 double Adaptive::doubtOf(std::size_t pixel) const {
     const auto width = static_cast<std::size_t>(film_.area.width());
@@ -380,13 +148,12 @@ double Adaptive::doubtOf(std::size_t pixel) const {
     Color low(kInfinity);
     Color high(-kInfinity);
     forNeighbourhood(film_.area, x, y, [&](int u, int v) {
-        const Color mean = glm::clamp(film_.at(u, v).mean(), 0.0, 1.0);
+        const Color mean = clipped(film_.at(u, v).mean());
         low = glm::min(low, mean);
         high = glm::max(high, mean);
     });
-    const Color span = high - low;
     const auto samples = static_cast<double>(film_.pixels[pixel].samples);
-    return kContrastDoubt * kContrastDoubt * glm::dot(span, span) / 3.0 /
+    return kContrastDoubt * kContrastDoubt * meanSquare(high - low) /
            (samples * std::sqrt(samples));
 }
 
@@ -431,8 +198,16 @@ std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
     const double enough = kSmallBias * goal.squaredTarget;
     for (std::size_t i = 0; i < kind_.size(); ++i) {
         if (!isSmooth(i) || !isBiased_[i] || bias_[i] <= enough) continue;
+        if (isSuspect(i)) continue;
         work.push_back({Work::Kind::kSmooth, i, pixelError_[i], pixelError_[i],
                         static_cast<double>(converted), 1 + stepsFrom(converted), kLeftBySampling});
+    }
+    for (const std::size_t i : suspects_) {
+        if (!isSmooth(i)) continue;
+        const double error = pixelError_[i] + static_cast<double>(suspicion_[i]);
+        work.push_back({Work::Kind::kSmooth, i, error, error,
+                        static_cast<double>(goal.firstSamples), 1 + stepsFrom(goal.firstSamples),
+                        kLeftBySampling});
     }
     const std::vector<float> weights = cornerWeights();
     for (const std::size_t i : uncertainCorners_) {
@@ -461,6 +236,7 @@ AdaptivePass Adaptive::standing() const {
 }
 
 AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
+    squaredTarget_ = goal.squaredTarget;
     const std::vector<Work> work = openWork(goal);
     PriceList prices(squaredError_ * static_cast<double>(film_.pixels.size()));
     for (const Work& item : work) {
@@ -477,8 +253,8 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
             left = kLeftByDoubling;
         }
     }
-    const double price = prices.priceFor(kAim * goal.squaredTarget *
-                                         static_cast<double>(film_.pixels.size()));
+    const double price =
+        prices.priceFor(kAim * goal.squaredTarget * static_cast<double>(film_.pixels.size()));
 
     AdaptivePass pass = standing();
     if (lattice_) {
@@ -492,16 +268,22 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
             item.kind == Work::Kind::kCorner ? pass.corners[item.place] : pass.pixels[item.place];
         const std::uint32_t before = end;
         if (item.kind == Work::Kind::kSmooth) {
+            if (isSuspect(item.place)) spreading_.push_back({item.place, colorOf(item.place)});
             kind_[item.place] = Kind::kSampled;
             film_.pixels[item.place] = {};
             sampledMore = true;
-            end = samplesInstead(goal);
+            end = static_cast<std::uint32_t>(item.cost);
         } else {
             end *= worthTwo(item, price) ? 4 : 2;
         }
         pass.more += end - before;
     }
     if (sampledMore) listPlaces();
+    for (const std::size_t i : sampled_) {
+        if (pass.pixels[i] >= goal.firstSamples) continue;
+        pass.more += goal.firstSamples - pass.pixels[i];
+        pass.pixels[i] = goal.firstSamples;
+    }
     return pass;
 }
 
@@ -520,10 +302,6 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
         end *= 2;
     }
     return pass;
-}
-
-void Adaptive::settle(std::size_t pixel, const ColorLanes& value) {
-    film_.pixels[pixel] = {asColor(value), Color(0.0), 1};
 }
 
 void Adaptive::settleUnclassified(std::size_t pixel) {
@@ -545,9 +323,7 @@ void Adaptive::settle() {
         for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) settleUnclassified(pixel);
     }
     for (const std::size_t pixel : uncertainPixels_) {
-        const std::size_t corner = cornerOf(pixel);
-        settle(pixel, wide_[pixel].isChosen ? smoothPixels_->wideMean(corner)
-                                            : smoothPixels_->meanOfCorners(corner));
+        film_.pixels[pixel] = {colorOf(pixel), Color(0.0), 1};
     }
 }
 

@@ -101,6 +101,25 @@ class Run {
         });
     }
 
+    /// What is seen through the centres of pixels, given by their places in the film.
+    std::vector<Probe> look(const std::vector<std::size_t>& pixels, std::uint32_t samples) {
+        constexpr std::size_t kTogether = 256;
+        std::vector<Probe> probes(pixels.size());
+        const std::size_t groups = (pixels.size() + kTogether - 1) / kTogether;
+        probeCounts_.resize(std::max(probeCounts_.size(), groups));
+        forEachIndex(groups, job_.threads, [&](std::size_t group, int) {
+            if (stopped()) return;
+            std::vector<PixelPlace> places;
+            const std::size_t first = group * kTogether;
+            for (std::size_t i = first; i < std::min(first + kTogether, pixels.size()); ++i) {
+                places.push_back(film_.placeOf(pixels[i]));
+            }
+            job_.kernel->probePixels(scene_, settings_, places, samples, &probes[first],
+                                     probeCounts_[group]);
+        });
+        return probes;
+    }
+
     bool cancelled() const { return job_.cancel && job_.cancel->load(std::memory_order_relaxed); }
     bool outOfTime() const {
         return job_.timeLimit > 0.0 && secondsSince(start_) >= job_.timeLimit;
@@ -217,6 +236,7 @@ class TowardsTarget {
             const ToldPixels told = probeAll(share);
             const double bias = kBiasLimit * job_.errorTarget;
             if (!run_.stopped()) adaptive_->classify(bias * bias, told);
+            audit(job_.errorTarget * job_.errorTarget);
         }
         advance(adaptive_->first(goal.firstSamples), share);
         bool reached = false;
@@ -226,6 +246,7 @@ class TowardsTarget {
             goal.squaredTarget = allowed * allowed;
             reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
             if (reached) break;
+            audit(goal.squaredTarget);
             const AdaptivePass pass =
                 job_.adaptive ? adaptive_->next(goal) : adaptive_->doubled(goal.maxSamples);
             if (pass.more == 0) break;
@@ -253,6 +274,12 @@ class TowardsTarget {
             coarse.refine(*lattice_, film_, fine_, bias * bias, kFirstLightSamples);
         run_.probe(told.ends, *lattice_, 0.5 * share, share);
         return std::move(told.pixels);
+    }
+
+    void audit(double squaredTarget) {
+        if (run_.stopped() || !adaptive_->wantsAudit(squaredTarget)) return;
+        const std::vector<Probe> centres = run_.look(adaptive_->nextAudit(), kFirstLightSamples);
+        adaptive_->judgeAudit(centres, squaredTarget);
     }
 
     void advance(const AdaptivePass& pass, double& share) {

@@ -21,12 +21,18 @@ namespace {
 
 void renderTile(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
                 const std::uint32_t* ends, PixelState* pixels, TraceCounts& counts) {
-    tileRendererFor(scene.features)(scene, settings, tile, ends, pixels, counts);
+    tracerFor(scene.features).renderTile(scene, settings, tile, ends, pixels, counts);
 }
 
 void probeTile(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
                int spacing, const std::uint32_t* ends, Probe* probes, TraceCounts& counts) {
-    tileProberFor(scene.features)(scene, settings, corners, spacing, ends, probes, counts);
+    tracerFor(scene.features).probeTile(scene, settings, corners, spacing, ends, probes, counts);
+}
+
+void probePixels(const RenderScene& scene, const TraceSettings& settings,
+                 std::span<const PixelPlace> pixels, std::uint32_t samples, Probe* probes,
+                 TraceCounts& counts) {
+    tracerFor(scene.features).probePixels(scene, settings, pixels, samples, probes, counts);
 }
 
 /// Member functions of MeshTree as plain ones.
@@ -38,7 +44,8 @@ auto ask(const MeshTree& tree, Arguments... arguments) {
 constexpr MeshQueries kMesh{&ask<&MeshTree::closestHit>, &ask<&MeshTree::anyHit>,
                             &ask<&MeshTree::closestHits>, &ask<&MeshTree::anyHits>};
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh, &renderTile, &probeTile, &intersectShape};
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh,        &renderTile,
+                              &probeTile,     &probePixels, &intersectShape};
 
 }  // namespace
 }  // namespace rt

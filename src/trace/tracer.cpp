@@ -313,8 +313,19 @@ void probeTileWith(const RenderScene& scene, const TraceSettings& settings, cons
         if (settings.cancel && settings.cancel->load(std::memory_order_relaxed)) return;
         for (int x = corners.x0; x < corners.x1; ++x, ++probes, ++ends) {
             if (*ends > probes->samples)
-                tracer.probe(x * spacing, y * spacing, spacing, *ends, *probes);
+                tracer.probeCorner(x * spacing, y * spacing, spacing, *ends, *probes);
         }
+    }
+}
+
+template <unsigned Features>
+void probePixelsWith(const RenderScene& scene, const TraceSettings& settings,
+                     std::span<const PixelPlace> pixels, std::uint32_t samples, Probe* probes,
+                     TraceCounts& counts) {
+    Tracer<Features> tracer(scene, settings, counts);
+    for (const PixelPlace& pixel : pixels) {
+        if (settings.cancel && settings.cancel->load(std::memory_order_relaxed)) return;
+        tracer.probeCentre(pixel.x, pixel.y, samples, *probes++);
     }
 }
 
@@ -327,16 +338,12 @@ constexpr unsigned variantOf(unsigned features) {
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
 }
 
-struct Variant {
-    TileRenderer render = nullptr;
-    TileProber probe = nullptr;
-};
-
 template <unsigned... Bits>
-Variant variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
-    Variant found;
+TracerVariant variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
+    TracerVariant found;
     ((variantOf(Bits) == variantOf(features)
-          ? void(found = {&renderTileWith<variantOf(Bits)>, &probeTileWith<variantOf(Bits)>})
+          ? void(found = {&renderTileWith<variantOf(Bits)>, &probeTileWith<variantOf(Bits)>,
+                          &probePixelsWith<variantOf(Bits)>})
           : void()),
      ...);
     return found;
@@ -344,13 +351,8 @@ Variant variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) 
 
 }  // namespace
 
-TileRenderer tileRendererFor(unsigned features) {
-    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{})
-        .render;
-}
-
-TileProber tileProberFor(unsigned features) {
-    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{}).probe;
+TracerVariant tracerFor(unsigned features) {
+    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{});
 }
 
 }  // namespace rt

@@ -29,13 +29,17 @@ class Tracer {
 
     /// Looks through corner (x, y) once and samples the lights there until they have `end` samples.
     /// The next corners are `spacing` pixels away.
-    void probe(int x, int y, int spacing, std::uint32_t end, Probe& probe);
+    void probeCorner(int x, int y, int spacing, std::uint32_t end, Probe& probe);
+    /// The same through the centre of pixel (x, y).
+    void probeCentre(int x, int y, std::uint32_t end, Probe& probe);
 
   private:
     static constexpr bool kImages = (Features & kFeatureImages) != 0;
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
     static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
+    /// Corners and centres have other points on the lights than the pixels' samples.
+    static constexpr int kOtherPixels = 1 << 30;
     static constexpr bool kSecondary = kReflection || kRefraction;
 
     struct Nothing {};
@@ -84,6 +88,7 @@ class Tracer {
         }
     };
 
+    void look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe);
     /// All values along the tree of paths that starts with `path`.
     template <class Sum>
     void gather(Path path, Sum& sum);

@@ -10,12 +10,21 @@
 namespace rt {
 
 template <unsigned Features>
-void Tracer<Features>::probe(int x, int y, int spacing, std::uint32_t end, Probe& probe) {
-    // The corners' points on the lights are not those of the pixels' samples.
-    constexpr int kOtherPixels = 1 << 30;
+void Tracer<Features>::probeCorner(int x, int y, int spacing, std::uint32_t end, Probe& probe) {
     sampler_.start(x - kOtherPixels, y, 0);
+    look(Vec2(x, y), spacing, end, probe);
+}
+
+template <unsigned Features>
+void Tracer<Features>::probeCentre(int x, int y, std::uint32_t end, Probe& probe) {
+    sampler_.start(x - kOtherPixels, y - kOtherPixels, 0);
+    look(Vec2(x + 0.5, y + 0.5), 1, end, probe);
+}
+
+template <unsigned Features>
+void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe) {
     Path path;
-    path.ray = scene_.camera.ray(x, y, Vec2(0.0));
+    path.ray = scene_.camera.ray(at.x, at.y, Vec2(0.0));
     if constexpr (kImages) {
         path.differential = cameraDifferential(scene_.camera, path.ray.direction);
         share_ = {};

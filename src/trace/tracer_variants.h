@@ -5,14 +5,17 @@
 
 namespace rt {
 
-using TileRenderer = void (*)(const RenderScene&, const TraceSettings&, const Tile&,
-                              const std::uint32_t* ends, PixelState*, TraceCounts&);
-
-using TileProber = void (*)(const RenderScene&, const TraceSettings&, const Tile&, int spacing,
-                            const std::uint32_t* ends, Probe*, TraceCounts&);
+/// TraceKernel's functions of the same names.
+struct TracerVariant {
+    void (*renderTile)(const RenderScene&, const TraceSettings&, const Tile&,
+                       const std::uint32_t* ends, PixelState*, TraceCounts&) = nullptr;
+    void (*probeTile)(const RenderScene&, const TraceSettings&, const Tile&, int spacing,
+                      const std::uint32_t* ends, Probe*, TraceCounts&) = nullptr;
+    void (*probePixels)(const RenderScene&, const TraceSettings&, std::span<const PixelPlace>,
+                        std::uint32_t samples, Probe*, TraceCounts&) = nullptr;
+};
 
 /// The leanest variant that renders scenes with these features.
-TileRenderer tileRendererFor(unsigned features);
-TileProber tileProberFor(unsigned features);
+TracerVariant tracerFor(unsigned features);
 
 }  // namespace rt

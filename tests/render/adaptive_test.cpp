@@ -221,3 +221,84 @@ TEST_CASE("a render that stopped while it looked through corners keeps what it s
     CHECK(film.at(2, 1).mean().x == doctest::Approx(0.25));  // from its two upper corners
     CHECK(film.at(2, 2).samples == 0);
 }
+
+TEST_CASE("each pixel has its turn in one of sixteen audits") {
+    const Lattice lattice = latticeOf(9, 7, [](double, double) { return 0.5; });
+    Film film(Tile{0, 0, 9, 7});
+    Adaptive adaptive(film, &lattice, {});
+    CHECK_FALSE(adaptive.wantsAudit(1e-6));
+    adaptive.classify(1.0, {});
+    CHECK(adaptive.wantsAudit(1e-6));
+    std::vector<int> turns(film.pixels.size());
+    for (int round = 0; round < 16; ++round) {
+        const std::vector<std::size_t> pixels = adaptive.nextAudit();
+        CHECK(pixels.size() < 16);
+        for (const std::size_t pixel : pixels) ++turns[pixel];
+    }
+    for (const int turn : turns) CHECK(turn == 1);
+    CHECK(adaptive.nextAudit().empty());
+    CHECK_FALSE(adaptive.wantsAudit(1e-6));
+}
+
+TEST_CASE(
+    "what centres show and corners missed is sampled, counts for all, and its neighbours too") {
+    const Lattice lattice = latticeOf(16, 16, [](double, double) { return 0.2; });
+    Film film(Tile{0, 0, 16, 16});
+    Adaptive adaptive(film, &lattice, {});
+    adaptive.classify(1.0, {});
+    const std::vector<std::size_t> pixels = adaptive.nextAudit();
+    std::vector<Probe> centres(pixels.size());
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const PixelPlace place = film.placeOf(pixels[i]);
+        const bool inside = place.x > 3 && place.x < 12 && place.y > 3 && place.y < 12;
+        if (inside && wrong == 0) wrong = pixels[i];
+        centres[i].samples = 2;
+        centres[i].sum = glm::vec3(pixels[i] == wrong && wrong != 0 ? 1.6F : 0.4F);
+    }
+    const AdaptiveGoal goal = goalOf(0.001);
+    adaptive.judgeAudit(centres, goal.squaredTarget);
+    CHECK(adaptive.wantsAudit(goal.squaredTarget));
+    AdaptivePass pass = adaptive.first(goal.firstSamples);
+    CHECK(pass.pixels[wrong] == goal.firstSamples);
+    CHECK(pass.more == goal.firstSamples);
+    film.pixels[wrong] = {Color(4 * 0.7), Color(2 * 0.7), 4};
+    adaptive.update();
+    // A quarter of 0.6^2 for the missed, of 0.5^2 for each of eight neighbours.
+    const double missed = 0.25 * 0.36 / static_cast<double>(pixels.size()) * 15 / 16 * 255 / 256;
+    CHECK(adaptive.squaredError() == doctest::Approx(missed + 8 * 0.25 * 0.25 / 256).epsilon(1e-4));
+    pass = adaptive.next(goal);
+    CHECK(pass.pixels[wrong - 1] == goal.firstSamples);
+    CHECK(pass.pixels[wrong + 17] == goal.firstSamples);
+    CHECK(pass.pixels[wrong + 2] == 1);
+}
+
+TEST_CASE("corners of a noisy shadow count in sixteen pixels where it is even") {
+    Lattice lattice = latticeOf(12, 12, [](double, double) { return 0.5; });
+    for (Probe& probe : lattice.probes) {
+        probe.marks |= kProbeUncertain;
+        probe.half = glm::vec3(0.4F);  // halves at 0.4 and 0.6: variance 0.01
+    }
+    Film film(Tile{0, 0, 12, 12});
+    Adaptive adaptive(film, &lattice, {});
+    adaptive.classify(1.0, {});
+    adaptive.update();
+    CHECK(adaptive.squaredErrorAt(film.offset(6, 6)) == doctest::Approx(0.01 / 16).epsilon(0.01));
+    CHECK(adaptive.squaredErrorAt(film.offset(0, 0)) == doctest::Approx(0.01 / 4).epsilon(0.01));
+}
+
+TEST_CASE("where a shadow curves more than its noise, sixteen corners are too many") {
+    Lattice lattice = latticeOf(12, 12, [](double x, double) { return 0.02 * x * x; });
+    for (Probe& probe : lattice.probes) {
+        probe.marks |= kProbeUncertain;
+        probe.half = 0.5F * probe.sum - glm::vec3(0.01F);  // variance 0.0001
+    }
+    Film film(Tile{0, 0, 12, 12});
+    Adaptive adaptive(film, &lattice, {});
+    adaptive.classify(1.0, {});
+    adaptive.update();
+    CHECK(adaptive.squaredErrorAt(film.offset(6, 6)) == doctest::Approx(0.0001 / 4).epsilon(0.01));
+    adaptive.settle();
+    const double corners = 0.02 * (36.0 + 49.0) / 2.0;
+    CHECK(film.at(6, 6).mean().x == doctest::Approx(corners).epsilon(1e-6));
+}

@@ -51,6 +51,13 @@ class Adaptive {
     /// (coarse_lattice.h).
     void classify(double squaredBiasLimit, const ToldPixels& told);
 
+    /// The pixels that the next round looks at through their centres, if any are left, and the
+    /// verdict on what was seen there.
+    std::vector<std::size_t> nextAudit();
+    void judgeAudit(const std::vector<Probe>& centres, double squaredTarget);
+    /// Whether another round is due.
+    bool wantsAudit(double squaredTarget) const;
+
     /// Brings the estimates up to date with the film and the lattice.
     void update();
     /// Whether that says something: corners were classified, and every sampled pixel has two
@@ -93,15 +100,21 @@ class Adaptive {
     void lookAtWide(std::size_t pixel);
     void chooseCorners(std::size_t pixel);
     bool isAmongSmooth(std::size_t pixel) const;
-    template <class Use>
-    void forUncertainNear(int reach, Use&& use);
-    void settle(std::size_t pixel, const ColorLanes& value);
     void settleUnclassified(std::size_t pixel);
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;
     std::vector<float> cornerWeights() const;
     std::vector<Work> openWork(const AdaptiveGoal& goal) const;
     AdaptivePass standing() const;
+
+    Color colorOf(std::size_t pixel) const;
+    bool isSettled(std::size_t pixel) const;
+    bool isSuspect(std::size_t pixel) const {
+        return !suspicion_.empty() && suspicion_[pixel] > 0.0F;
+    }
+    double slopeAt(int x, int y, const Color& color) const;
+    void spreadSuspicion();
+
     static bool worthTwo(const Work& item, double price);
 
     /// Uncertain pixels are smooth, and depend on lights that had to be sampled.
@@ -142,6 +155,20 @@ class Adaptive {
     std::vector<std::uint8_t> isBiased_;  ///< where `bias_` is more than noise
     std::vector<Wide> wide_;              ///< of uncertain pixels
     std::vector<double> variance_;        ///< of each corner's mean
+
+    std::vector<std::size_t> audited_;
+    int auditRound_ = 0;
+    double missed_ = 0.0;  ///< thought to be off in pixels that were not looked at, a pixel of all
+    /// Sampled pixels whose neighbours are suspect if they are not what was expected.
+    struct Spreading {
+        std::size_t pixel;
+        Color expected;
+    };
+    std::vector<Spreading> spreading_;
+    std::vector<std::size_t> suspects_;
+    std::vector<float> suspicion_;  ///< squared error of each pixel that is feared, where any is
+    double squaredTarget_ = 0.0;
+
     double squaredError_ = 0.0;
     bool classified_;
 };

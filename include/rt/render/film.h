@@ -19,6 +19,12 @@ struct Film {
     PixelState& at(int x, int y) { return pixels[offset(x, y)]; }
     const PixelState& at(int x, int y) const { return pixels[offset(x, y)]; }
 
+    PixelPlace placeOf(std::size_t index) const {
+        const auto width = static_cast<std::size_t>(area.width());
+        return {area.x0 + static_cast<int>(index % width),
+                area.y0 + static_cast<int>(index / width)};
+    }
+
     Tile area;
     std::vector<PixelState> pixels;
 

@@ -21,8 +21,8 @@ struct TraceSettings {
     std::uint64_t seed = 0;
     SamplerKind sampler = SamplerKind::kJoint;
     FilterKind filter = FilterKind::kBox;
-    /// Textures are averaged over a sample's share of its pixel: one of so many cells, or of as many
-    /// as there were samples before it (sampling/pixel_share.h). 0: read at full resolution.
+    /// Textures are averaged over a sample's share of its pixel: one of so many cells, or of as
+    /// many as there were samples before it (sampling/pixel_share.h). 0: read at full resolution.
     std::uint32_t textureShares = 128;
     /// Once true, pixels are left with the samples that they have; looked at now and then.
     const std::atomic<bool>* cancel = nullptr;
@@ -46,6 +46,11 @@ struct Tile {
 
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
+};
+
+struct PixelPlace {
+    int x = 0;
+    int y = 0;
 };
 
 /// Rays traced, by what they were for.
@@ -100,6 +105,12 @@ struct TraceKernel {
     /// scene has no lens.
     void (*probeTile)(const RenderScene& scene, const TraceSettings& settings, const Tile& corners,
                       int spacing, const std::uint32_t* ends, Probe* probes, TraceCounts& counts);
+
+    /// Fills one probe for each pixel: looks through its centre, with `samples` of each light, an
+    /// even number. The scene has no lens.
+    void (*probePixels)(const RenderScene& scene, const TraceSettings& settings,
+                        std::span<const PixelPlace> pixels, std::uint32_t samples, Probe* probes,
+                        TraceCounts& counts);
 
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.
