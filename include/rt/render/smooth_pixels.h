@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace rt {
 
@@ -100,7 +99,7 @@ class SmoothPixels {
     SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
     const Lattice& lattice_;
-    std::vector<Corner> corners_;
+    LargeVector<Corner> corners_;
 };
 
 }  // namespace rt

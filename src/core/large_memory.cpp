@@ -1,4 +1,4 @@
-#include "rt/accel/large_array.h"
+#include "rt/core/large_memory.h"
 
 #include <sys/mman.h>
 
