@@ -1,14 +1,16 @@
-// Fixed-size arrays for the tree, in memory that is made for large ones: rays through big trees
-// spend their time on address translation.
+// Fixed-size arrays for the tree: aligned to cache lines, and on huge pages where they are large,
+// because rays through big trees spend their time on address translation.
 #pragma once
-
-#include "rt/core/large_memory.h"
 
 #include <cstddef>
 #include <memory>
 #include <type_traits>
 
 namespace rt {
+
+/// Aligned memory, advised to lie on huge pages from a few megabytes on. Throws std::bad_alloc.
+void* allocateLarge(std::size_t bytes);
+void freeLarge(void* memory) noexcept;
 
 /// `count` elements of a trivial type, not initialised.
 template <class T>

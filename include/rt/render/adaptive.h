@@ -147,14 +147,14 @@ class Adaptive {
     std::vector<std::size_t> uncertainPixels_;
     std::vector<std::size_t> uncertainCorners_;
     std::vector<std::size_t> changed_;  ///< places with more samples than at the last update
-    LargeVector<Evidence> pixelEvidence_;
-    LargeVector<Evidence> cornerEvidence_;
+    std::vector<Evidence> pixelEvidence_;
+    std::vector<Evidence> cornerEvidence_;
     std::uint32_t updates_ = 0;
-    LargeVector<double> pixelError_;      ///< estimated squared error of each pixel
-    LargeVector<double> bias_;            ///< squared, of smooth pixels
+    std::vector<double> pixelError_;      ///< estimated squared error of each pixel
+    std::vector<double> bias_;            ///< squared, of smooth pixels
     std::vector<std::uint8_t> isBiased_;  ///< where `bias_` is more than noise
-    LargeVector<Wide> wide_;              ///< of uncertain pixels
-    LargeVector<double> variance_;        ///< of each corner's mean
+    std::vector<Wide> wide_;              ///< of uncertain pixels
+    std::vector<double> variance_;        ///< of each corner's mean
 
     std::vector<std::size_t> audited_;
     int auditRound_ = 0;

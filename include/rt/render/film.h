@@ -1,11 +1,11 @@
 // What the pixels of an area have gathered.
 #pragma once
 
-#include "rt/core/large_memory.h"
 #include "rt/render/tiles.h"
 #include "rt/trace/trace_kernel.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace rt {
 
@@ -26,7 +26,7 @@ struct Film {
     }
 
     Tile area;
-    LargeVector<PixelState> pixels;
+    std::vector<PixelState> pixels;
 
     std::size_t offset(int x, int y) const {
         return static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.width()) +

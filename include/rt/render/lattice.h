@@ -3,7 +3,6 @@
 // own: neighbours share their corners, so an even area costs one probe a pixel.
 #pragma once
 
-#include "rt/core/large_memory.h"
 #include "rt/render/tiles.h"
 #include "rt/trace/probe.h"
 #include "rt/trace/trace_kernel.h"
@@ -28,7 +27,7 @@ struct Lattice {
     }
 
     Tile corners;
-    LargeVector<Probe> probes;
+    std::vector<Probe> probes;
     int spacing = 1;  ///< pixels from one corner to the next
 };
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace rt {
 
@@ -99,7 +100,7 @@ class SmoothPixels {
     SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
     const Lattice& lattice_;
-    LargeVector<Corner> corners_;
+    std::vector<Corner> corners_;
 };
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-#include "rt/core/large_memory.h"
+#include "rt/accel/large_array.h"
 
 #include <sys/mman.h>
 
