@@ -64,19 +64,16 @@ Adaptive::Adaptive(Film& film, const Lattice* lattice, std::vector<bool> fine)
         smoothPixels_.emplace(*lattice_);
         bias_.resize(film.pixels.size());
         isBiased_.resize(film.pixels.size());
-        wide_.resize(film.pixels.size());
-        variance_.resize(lattice_->probes.size());
-        cornerEvidence_.resize(lattice_->probes.size());
+        wide_ = ZeroedArray<Wide>(film.pixels.size());
+        variance_ = ZeroedArray<double>(lattice_->probes.size());
+        cornerEvidence_ = ZeroedArray<Evidence>(lattice_->probes.size());
     }
     listPlaces();
 }
 
 void Adaptive::classify(double squaredBiasLimit, const ToldPixels& told) {
     if (!lattice_) return;
-    for (std::size_t i = 0; i < variance_.size(); ++i) {
-        if (lattice_->probes[i].has(kProbeUncertain)) uncertainCorners_.push_back(i);
-    }
-    measureCorners(told);
+    openCorners(told);
     ++updates_;
     updateCorners();
     for (std::size_t pixel = 0; pixel < kind_.size(); ++pixel) {
@@ -94,22 +91,28 @@ void Adaptive::classify(double squaredBiasLimit, const ToldPixels& told) {
     classified_ = true;
 }
 
-/// The second differences at the corners of pixels that are not told.
-void Adaptive::measureCorners(const ToldPixels& told) {
-    smoothPixels_->readColors();
-    if (told.empty()) return smoothPixels_->measure();
-    const Tile& area = film_.area;
-    std::size_t corner = 0;
-    for (int y = area.y0; y <= area.y1; ++y) {
-        for (int x = area.x0; x <= area.x1; ++x, ++corner) {
-            bool needed = false;
-            for (int v = std::max(y - 1, area.y0); v < std::min(y + 1, area.y1); ++v) {
-                for (int u = std::max(x - 1, area.x0); u < std::min(x + 1, area.x1); ++u) {
-                    needed = needed || told[film_.offset(u, v)] < 0.0F;
+/// Reads the corners of pixels that are not told and of their neighbours: no others were looked
+/// through.
+void Adaptive::openCorners(const ToldPixels& told) {
+    ++updates_;
+    const Tile& corners = lattice_->corners;
+    std::vector<std::size_t> near;
+    std::size_t pixel = 0;
+    for (int y = film_.area.y0; y < film_.area.y1; ++y) {
+        for (int x = film_.area.x0; x < film_.area.x1; ++x, ++pixel) {
+            if (!told.empty() && told[pixel] >= 0.0F) continue;
+            for (int v = std::max(y - 1, corners.y0); v < std::min(y + 3, corners.y1); ++v) {
+                for (int u = std::max(x - 1, corners.x0); u < std::min(x + 3, corners.x1); ++u) {
+                    const std::size_t corner = lattice_->offset(u, v);
+                    if (isFirstWorkOn(cornerEvidence_[corner])) near.push_back(corner);
                 }
             }
-            if (needed) smoothPixels_->measure(corner);
         }
+    }
+    for (const std::size_t corner : near) smoothPixels_->readColor(corner);
+    for (const std::size_t corner : near) {
+        smoothPixels_->measure(corner);
+        if (lattice_->probes[corner].has(kProbeUncertain)) uncertainCorners_.push_back(corner);
     }
 }
 
@@ -228,9 +231,9 @@ bool Adaptive::worthTwo(const Work& item, double price) {
 
 AdaptivePass Adaptive::standing() const {
     AdaptivePass pass;
-    pass.pixels.reserve(film_.pixels.size());
-    for (const PixelState& pixel : film_.pixels) {
-        pass.pixels.push_back(static_cast<std::uint32_t>(pixel.samples));
+    pass.pixels.resize(film_.pixels.size());
+    for (const std::size_t i : sampled_) {
+        pass.pixels[i] = static_cast<std::uint32_t>(film_.pixels[i].samples);
     }
     return pass;
 }
@@ -258,8 +261,8 @@ AdaptivePass Adaptive::next(const AdaptiveGoal& goal) {
 
     AdaptivePass pass = standing();
     if (lattice_) {
-        pass.corners.reserve(lattice_->probes.size());
-        for (const Probe& probe : lattice_->probes) pass.corners.push_back(probe.samples);
+        pass.corners.resize(lattice_->probes.size());
+        for (const std::size_t i : uncertainCorners_) pass.corners[i] = lattice_->probes[i].samples;
     }
     bool sampledMore = false;
     for (const Work& item : work) {

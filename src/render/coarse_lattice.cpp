@@ -129,8 +129,7 @@ CoarseLattice::Told CoarseLattice::refine(Lattice& fine, Film& film,
                                           const std::vector<bool>& finePixels,
                                           double squaredBiasLimit, std::uint32_t samples) const {
     SmoothPixels cells(lattice_);
-    cells.readColors();
-    cells.measure();
+    cells.measureAll();
     const std::vector<bool> told = toldCells(cells, fine, finePixels, squaredBiasLimit);
     Told result{std::vector<std::uint32_t>(fine.probes.size(), samples),
                 ToldPixels(film.pixels.size(), kUntold)};

@@ -36,21 +36,21 @@ TraceSettings settingsFor(const RenderJob& job) {
 
 /// Calls trace(ends, values) with a tile's part of the values, row-major, and puts back what it
 /// made of them; not at all where no value lacks samples. `grid` knows the places of rows.
-template <class Grid, class Value, class Trace>
-void onTile(const Tile& tile, const Grid& grid, std::vector<Value>& values,
+template <class Grid, class Values, class Trace>
+void onTile(const Tile& tile, const Grid& grid, Values& values,
             const std::vector<std::uint32_t>& ends, const Trace& trace) {
     const auto width = static_cast<std::size_t>(tile.width());
     const auto anyLacks = [&](int y) {
         const std::size_t row = grid.offset(tile.x0, y);
         for (std::size_t i = row; i < row + width; ++i) {
-            if (ends[i] > values[i].samples) return true;
+            if (ends[i] != 0 && ends[i] > values[i].samples) return true;
         }
         return false;
     };
     int first = tile.y0;
     while (first < tile.y1 && !anyLacks(first)) ++first;
     if (first == tile.y1) return;
-    std::vector<Value> tileValues;
+    std::vector<typename Values::value_type> tileValues;
     std::vector<std::uint32_t> tileEnds;
     tileValues.reserve(width * static_cast<std::size_t>(tile.height()));
     tileEnds.reserve(tileValues.capacity());
@@ -61,7 +61,7 @@ void onTile(const Tile& tile, const Grid& grid, std::vector<Value>& values,
         tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + end);
     }
     trace(tileEnds.data(), tileValues.data());
-    const Value* done = tileValues.data();
+    const auto* done = tileValues.data();
     for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
         std::copy(done, done + tile.width(), &values[grid.offset(tile.x0, y)]);
     }

@@ -59,10 +59,6 @@ struct SmoothPixels::Line {
 SmoothPixels::SmoothPixels(const Lattice& lattice)
     : lattice_(lattice), corners_(lattice.probes.size()) {}
 
-void SmoothPixels::readColors() {
-    for (std::size_t corner = 0; corner < corners_.size(); ++corner) readColor(corner);
-}
-
 void SmoothPixels::readColor(std::size_t corner) {
     const Probe& probe = lattice_.probes[corner];
     if (probe.samples == 0) return;
@@ -70,7 +66,8 @@ void SmoothPixels::readColor(std::size_t corner) {
     corners_[corner].color = sum * (1.0F / static_cast<float>(probe.samples));
 }
 
-void SmoothPixels::measure() {
+void SmoothPixels::measureAll() {
+    for (std::size_t corner = 0; corner < corners_.size(); ++corner) readColor(corner);
     for (std::size_t corner = 0; corner < corners_.size(); ++corner) measure(corner);
 }
 

@@ -16,6 +16,7 @@
 // the square of that bias. The mean of less error counts.
 #pragma once
 
+#include "rt/core/zeroed_array.h"
 #include "rt/render/film.h"
 #include "rt/render/smooth_pixels.h"
 
@@ -32,7 +33,8 @@ struct AdaptiveGoal {
     std::uint32_t maxSamples = 4096;
 };
 
-/// Numbers of samples that pixels and corners should have after the next pass.
+/// Numbers of samples that pixels and corners should have after the next pass, or less where they
+/// need no more.
 struct AdaptivePass {
     std::vector<std::uint32_t> pixels;
     std::vector<std::uint32_t> corners;
@@ -89,7 +91,7 @@ class Adaptive {
     std::size_t cornerOf(std::size_t pixel) const { return pixel + pixel / width_; }
     bool isSmooth(std::size_t pixel) const { return kind_[pixel] != Kind::kSampled; }
     void listPlaces();
-    void measureCorners(const ToldPixels& told);
+    void openCorners(const ToldPixels& told);
     void classifyPixel(std::size_t pixel, double squaredBiasLimit);
     void updateCorners();
     void updateVariance(std::size_t corner);
@@ -147,14 +149,14 @@ class Adaptive {
     std::vector<std::size_t> uncertainPixels_;
     std::vector<std::size_t> uncertainCorners_;
     std::vector<std::size_t> changed_;  ///< places with more samples than at the last update
-    std::vector<Evidence> pixelEvidence_;
-    std::vector<Evidence> cornerEvidence_;
+    ZeroedArray<Evidence> pixelEvidence_;
+    ZeroedArray<Evidence> cornerEvidence_;
     std::uint32_t updates_ = 0;
     std::vector<double> pixelError_;      ///< estimated squared error of each pixel
     std::vector<double> bias_;            ///< squared, of smooth pixels
     std::vector<std::uint8_t> isBiased_;  ///< where `bias_` is more than noise
-    std::vector<Wide> wide_;              ///< of uncertain pixels
-    std::vector<double> variance_;        ///< of each corner's mean
+    ZeroedArray<Wide> wide_;              ///< of uncertain pixels
+    ZeroedArray<double> variance_;        ///< of each corner's mean
 
     std::vector<std::size_t> audited_;
     int auditRound_ = 0;

@@ -3,6 +3,7 @@
 // own: neighbours share their corners, so an even area costs one probe a pixel.
 #pragma once
 
+#include "rt/core/zeroed_array.h"
 #include "rt/render/tiles.h"
 #include "rt/trace/probe.h"
 #include "rt/trace/trace_kernel.h"
@@ -27,7 +28,7 @@ struct Lattice {
     }
 
     Tile corners;
-    std::vector<Probe> probes;
+    ZeroedArray<Probe> probes;
     int spacing = 1;  ///< pixels from one corner to the next
 };
 

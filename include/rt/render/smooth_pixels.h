@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace rt {
 
@@ -39,14 +38,12 @@ class SmoothPixels {
   public:
     explicit SmoothPixels(const Lattice& lattice);
 
-    /// Takes the colour of every corner that was looked through.
-    void readColors();
-    /// The same of one corner.
+    /// Takes the colour of a corner, and the second differences about it where it has neighbours on
+    /// its surface; all corners' colours come first.
     void readColor(std::size_t corner);
-    /// Takes the second differences about every corner that has neighbours on its surface.
-    void measure();
-    /// The same at one corner, whose colour or neighbours have changed.
     void measure(std::size_t corner);
+    /// Both for all corners.
+    void measureAll();
 
     /// The pixel with this upper left corner, if it is smooth: all corners met the same surfaces,
     /// on one side of each sharp shadow, their surface does not bend away between them, and
@@ -100,7 +97,7 @@ class SmoothPixels {
     SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
     const Lattice& lattice_;
-    std::vector<Corner> corners_;
+    ZeroedArray<Corner> corners_;
 };
 
 }  // namespace rt
