@@ -1,5 +1,6 @@
 // Pixel filters in pictures: an edge's profile is the filter's integral.
 #include "optics_shot.h"
+#include "unbiased.h"
 
 #include <functional>
 #include <vector>
@@ -119,6 +120,21 @@ TEST_CASE("a picture of one colour keeps it under every filter") {
             for (const Color& pixel : picture.pixels) {
                 CHECK(std::fabs(pixel.x - 0.375) <= (signs ? 1e-14 : 0.0));
             }
+        }
+    }
+}
+
+TEST_CASE("unbiased: one pixel across an edge under every filter") {
+    for (const Filter& filter : filters()) {
+        for (const double at : {-0.35, 0.2, 1.2}) {
+            // The pixel is 1 wide at unit distance, its centre at x = 0.
+            const std::string corner = text(at);
+            Shot shot = eightPixels(
+                place("gr.nh_box('edge', {" + corner + ", -9, -1e-8}, {18, 18, 1e-8})", 1.0));
+            shot.width = shot.height = 1;
+            Estimate e{filter.name + " at " + corner, shot, shareBeyond(filter, at)};
+            e.options = filtered(filter);
+            checkUnbiased(e);
         }
     }
 }
