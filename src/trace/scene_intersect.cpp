@@ -256,6 +256,42 @@ bool anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
                       [&](Index item) { return instanceBlocks(scene, item, ray, range); });
 }
 
+template <class IsTransparent>
+Obstacle LastBlocker::find(const RenderScene& scene, const Ray& ray, Interval range,
+                           const IsTransparent& isTransparent) {
+    if (instance_ != kNone && instanceBlocks(scene, instance_, ray, range)) {
+        passed_ = 0;
+        return Obstacle::kOpaque;
+    }
+    bool transparent = false;
+    Index blocker = kNone;
+    visitUntil(scene, ray, range, [&](Index item) {
+        if (item == instance_) return false;
+        const bool through = isTransparent(item);
+        if (through && transparent) return false;
+        if (!instanceBlocks(scene, item, ray, range)) return false;
+        transparent = transparent || through;
+        if (!through) blocker = item;
+        return !through;
+    });
+    if (blocker != kNone) {
+        instance_ = blocker;
+        passed_ = 0;
+        return Obstacle::kOpaque;
+    }
+    if (++passed_ == kForgotten) instance_ = kNone;
+    return transparent ? Obstacle::kTransparent : Obstacle::kNothing;
+}
+
+bool LastBlocker::anyHit(const RenderScene& scene, const Ray& ray, Interval range) {
+    return find(scene, ray, range, [](Index) { return false; }) == Obstacle::kOpaque;
+}
+
+Obstacle LastBlocker::obstacle(const RenderScene& scene, const Ray& ray, Interval range) {
+    return find(scene, ray, range,
+                [&](Index item) { return scene.looks[scene.instances[item].look].refracts; });
+}
+
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings) {
     visitUntil(scene, ray, range, [&](Index item) {

@@ -3,6 +3,7 @@
 
 #include "rt/trace/trace_kernel.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace rt {
@@ -19,11 +20,33 @@ double coincidenceInT(const Ray& ray, double t);
 bool closestHit(const RenderScene& scene, const Ray& ray, Interval range, SceneHit& hit,
                 bool* shared = nullptr);
 
+/// Whether one instance is hit in the range.
+bool instanceBlocks(const RenderScene& scene, Index instance, const Ray& ray, Interval range);
+
 /// Whether anything is hit at all.
 bool anyHit(const RenderScene& scene, const Ray& ray, Interval range);
 
-/// Whether one instance is hit in the range.
-bool instanceBlocks(const RenderScene& scene, Index instance, const Ray& ray, Interval range);
+enum class Obstacle : std::uint8_t { kNothing, kTransparent, kOpaque };
+
+/// What blocked the last ray to a light most likely blocks the next one too.
+class LastBlocker {
+  public:
+    /// Whether anything is hit at all.
+    bool anyHit(const RenderScene& scene, const Ray& ray, Interval range);
+    /// Whether anything opaque is hit; if not, whether anything is.
+    Obstacle obstacle(const RenderScene& scene, const Ray& ray, Interval range);
+
+  private:
+    /// After so many rays that nothing blocked the light has come out.
+    static constexpr int kForgotten = 4;
+
+    template <class IsTransparent>
+    Obstacle find(const RenderScene& scene, const Ray& ray, Interval range,
+                  const IsTransparent& isTransparent);
+
+    Index instance_ = kNone;
+    int passed_ = 0;
+};
 
 /// Every crossing in the range, of any instance, in no particular order.
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,

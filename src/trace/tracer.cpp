@@ -19,7 +19,8 @@ Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings
     : scene_(scene),
       settings_(settings),
       counts_(counts),
-      sampler_({settings.sampler, settings.filter, settings.seed, settings.spp}) {}
+      sampler_({settings.sampler, settings.filter, settings.seed, settings.spp}),
+      lastBlockers_(scene.lights.size()) {}
 
 template <unsigned Features>
 Color Tracer<Features>::sample(int x, int y, int index) {

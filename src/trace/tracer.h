@@ -119,14 +119,14 @@ class Tracer {
                     const ShadePoint& point, ProbeSum& sum);
     double probeOccluded(Index light, const LightView& view, const Occluders& occluders,
                          const Path& path, double own, const ShadePoint& point, ProbeSum& sum);
-    double visibilityOf(const Vec3& w, double reach, const MediumSet& media,
+    double visibilityOf(Index light, const Vec3& w, double reach, const MediumSet& media,
                         const ShadePoint& point, const Occluders* occluders);
-    double visibilityPast(const Occluders& occluders, const Ray& ray, double reach,
+    double visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
                           const MediumSet& media);
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;
-    double visibility(const Ray& ray, double reach, const MediumSet& media);
-    double visibilityThroughGlass(Ray ray, double reach, MediumSet media);
+    double visibility(Index light, const Ray& ray, double reach, const MediumSet& media);
+    double visibilityThroughGlass(Index light, Ray ray, double reach, MediumSet media);
     double transmitted(const Vec3& direction, const SceneHit& hit, const ShadePoint& point,
                        const MediumSet& media, const MediumSet& beyond) const;
     MediumSet mediaAt(const Vec3& point);
@@ -150,6 +150,7 @@ class Tracer {
     /// The crossings at the last hit: one, or several where surfaces coincide.
     std::vector<SceneHit> together_;
     OccluderCache occluderCache_;
+    std::vector<LastBlocker> lastBlockers_;  ///< opaque ones, of each light
 };
 
 }  // namespace rt

@@ -37,19 +37,20 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     }
     const Color local = lightAlong(w, light, *view, path, point);
     if (local == Color(0.0)) return local;
-    return visibilityOf(w, view->reach(w), path.media, point, nullptr) * local;
+    return visibilityOf(index, w, view->reach(w), path.media, point, nullptr) * local;
 }
 
 /// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing
 /// stands between the point and there: no light comes from beyond something else. What blocks is
 /// among `occluders`, where these are known.
 template <unsigned Features>
-double Tracer<Features>::visibilityOf(const Vec3& w, double reach, const MediumSet& media,
-                                      const ShadePoint& point, const Occluders* occluders) {
+double Tracer<Features>::visibilityOf(Index light, const Vec3& w, double reach,
+                                      const MediumSet& media, const ShadePoint& point,
+                                      const Occluders* occluders) {
     const auto seen = [&](const Vec3& from) {
         const Ray ray{point.leave(from, w), w};
-        return occluders ? visibilityPast(*occluders, ray, reach, media)
-                         : visibility(ray, reach, media);
+        return occluders ? visibilityPast(*occluders, light, ray, reach, media)
+                         : visibility(light, ray, reach, media);
     };
     const double visible = seen(point.position);
     if (visible > 0.0 || !point.isRounded()) return visible;
@@ -73,18 +74,26 @@ Color Tracer<Features>::lightAlong(const Vec3& w, const Light& light, const Ligh
 
 /// V of the specification. A surface that the light itself lies on does not hide it.
 template <unsigned Features>
-double Tracer<Features>::visibility(const Ray& ray, double reach, const MediumSet& media) {
+double Tracer<Features>::visibility(Index light, const Ray& ray, double reach,
+                                    const MediumSet& media) {
     const double last = reach * (1.0 - kCoincidence);
     if constexpr (kRefraction) {
-        return visibilityThroughGlass(ray, last, media);
+        return visibilityThroughGlass(light, ray, last, media);
     } else {
         ++counts_.rays.shadow;
-        return anyHit(scene_, ray, {0.0, last}) ? 0.0 : 1.0;
+        return lastBlockers_[light].anyHit(scene_, ray, {0.0, last}) ? 0.0 : 1.0;
     }
 }
 
 template <unsigned Features>
-double Tracer<Features>::visibilityThroughGlass(Ray ray, double reach, MediumSet media) {
+double Tracer<Features>::visibilityThroughGlass(Index light, Ray ray, double reach,
+                                                MediumSet media) {
+    // Most rays meet nothing, or something opaque, which hides the light wherever it stands.
+    const Obstacle obstacle = lastBlockers_[light].obstacle(scene_, ray, {0.0, reach});
+    if (obstacle != Obstacle::kTransparent) {
+        ++counts_.rays.shadow;
+        return obstacle == Obstacle::kNothing ? 1.0 : 0.0;
+    }
     double visible = 1.0;
     for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
         if (left == 0) {

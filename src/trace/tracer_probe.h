@@ -175,7 +175,7 @@ double Tracer<Features>::probeOccluded(Index index, const LightView& view,
         }
         const Color local = lightAlong(w, light, view, path, point);
         if (local == Color(0.0)) continue;
-        visible = visibilityOf(w, view.reach(w), path.media, point, &occluders);
+        visible = visibilityOf(index, w, view.reach(w), path.media, point, &occluders);
         const Color value = path.weight * own * visible * local;
         if (view.isPoint()) {
             sum.addToAll(value);
@@ -188,10 +188,10 @@ double Tracer<Features>::probeOccluded(Index index, const LightView& view,
 
 /// V along a ray that only the occluders can block.
 template <unsigned Features>
-double Tracer<Features>::visibilityPast(const Occluders& occluders, const Ray& ray, double reach,
-                                        const MediumSet& media) {
+double Tracer<Features>::visibilityPast(const Occluders& occluders, Index light, const Ray& ray,
+                                        double reach, const MediumSet& media) {
     if (occluders.none()) return 1.0;
-    if (!allOpaque(occluders)) return visibility(ray, reach, media);
+    if (!allOpaque(occluders)) return visibility(light, ray, reach, media);
     ++counts_.rays.shadow;
     return anyBlocks(scene_, occluders, ray, {0.0, reach * (1.0 - kCoincidence)}) ? 0.0 : 1.0;
 }
