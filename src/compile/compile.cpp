@@ -238,6 +238,8 @@ class Compiler {
             const Bounds local = boundsOf(out_.shapes[instance.shape]);
             boxes.push_back(instance.transform.boundsToWorld(local));
             instance.boxed = !(instance.transform.condition() > kBoxedCondition);
+            const double thickness = thicknessOf(out_, instance);
+            if (thickness > 0.0) out_.thinnest = std::min(out_.thinnest, thickness);
             if (few) padded.push_back(worldBox(instance, local, boxes.back()));
             if (out_.looks[instance.look].refracts && instance.closed) {
                 out_.refractingBounds.unite(boxes.back());

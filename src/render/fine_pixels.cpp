@@ -1,6 +1,7 @@
 #include "rt/render/fine_pixels.h"
 
 #include "rt/math/portable.h"
+#include "rt/trace/probe.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +11,6 @@
 
 namespace rt {
 namespace {
-
-/// Narrower than this, in pixels, a thing may pass between corners, or show in too few of them.
-constexpr double kNarrow = 3.0;
 
 /// In pixels; such a tube is seen from so near that it is not narrow.
 constexpr double kLongestTube = 1 << 20;
@@ -115,8 +113,9 @@ void markNarrowTube(const RenderScene& scene, const Instance& instance, const To
     if (!(nearest > 0.0)) return;
     const double width = 2.0 * torus.minorRadius() * pixelsPerLength / middle.depth;
     const double length = kTurn * torus.majorRadius() * pixelsPerLength / nearest;
-    if (width >= kNarrow || length > kLongestTube) return;
-    const double reach = 0.5 * torus.minorRadius() * pixelsPerLength / nearest + kNarrow / 2.0;
+    if (width >= kNarrowPixels || length > kLongestTube) return;
+    const double reach =
+        0.5 * torus.minorRadius() * pixelsPerLength / nearest + kNarrowPixels / 2.0;
     const int steps = static_cast<int>(std::ceil(length)) + 1;
     for (int i = 0; i < steps; ++i) {
         const double degrees = 360.0 * i / steps;
@@ -138,7 +137,7 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
         std::array<Vec2, 8> points;
         if (!project(scene, instance, points)) continue;
         const Strip strip = narrowest(points);
-        if (strip.width() < kNarrow) {
+        if (strip.width() < kNarrowPixels) {
             mark(points, strip, area, fine);
         } else if (const auto* torus = std::get_if<Torus>(&scene.shapes[instance.shape])) {
             markNarrowTube(scene, instance, *torus, area, fine);

@@ -263,14 +263,6 @@ bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t 
     return all;
 }
 
-double thicknessOf(const RenderScene& scene, Index item) {
-    const Instance& instance = scene.instances[item];
-    if (isMesh(scene.shapes[instance.shape])) return kInfinity;
-    if (!(instance.objectScale > 0.0)) return 0.0;
-    const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
-    return std::min({size.x, size.y, size.z}) / instance.objectScale;
-}
-
 bool anyBlocks(const RenderScene& scene, const Occluders& occluders, const Ray& ray,
                Interval range) {
     if (occluders.overflow) return anyHit(scene, ray, range);

@@ -58,10 +58,6 @@ bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t 
 /// The instances that may meet the hull, `except` left out.
 Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except);
 
-/// The least extent of an instance in its own axes, in the world: infinite for meshes, of whose
-/// parts it says nothing, and 0 where lengths depend on the direction.
-double thicknessOf(const RenderScene& scene, Index instance);
-
 /// Whether one of the occluders blocks the ray.
 bool anyBlocks(const RenderScene& scene, const Occluders& occluders, const Ray& ray,
                Interval range);

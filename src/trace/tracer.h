@@ -40,6 +40,8 @@ class Tracer {
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
     static constexpr int kOtherPixels = 1 << 30;
+    /// Of a pixel of side 1.
+    static constexpr double kHalfDiagonal = 0.7071067811865476;
     static constexpr bool kSecondary = kReflection || kRefraction;
 
     struct Nothing {};
@@ -123,6 +125,7 @@ class Tracer {
                         const ShadePoint& point, const Occluders* occluders);
     double visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
                           const MediumSet& media);
+    void markNarrow(const Path& path, double distance, ProbeSum& sum) const;
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;
     double visibility(Index light, const Ray& ray, double reach, const MediumSet& media);

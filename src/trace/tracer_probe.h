@@ -6,6 +6,7 @@
 #include "tracer.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace rt {
 
@@ -56,9 +57,35 @@ void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Prob
     probe.samples = end;
 }
 
+/// Marks what is seen in mirrors or through glass where something narrow lies so near the ray that
+/// corners may see past it. What the camera sees itself is marked beforehand (fine_pixels.h).
+template <unsigned Features>
+void Tracer<Features>::markNarrow(const Path& path, double distance, ProbeSum& sum) const {
+    const double pixel = scene_.camera.pixelSize() * (path.travelled + distance);
+    if (path.depth == 0 || scene_.thinnest >= kNarrowPixels * pixel) return;
+    const double margin = kHalfDiagonal * sum.spacing * scene_.camera.pixelSize();
+    const Occluders near = occludersIn(
+        scene_,
+        {path.ray.origin, margin * path.travelled, path.ray.origin + distance * path.ray.direction,
+         margin * (path.travelled + distance)},
+        kNone);
+    bool narrow = near.overflow;
+    for (unsigned i = 0; i < near.count && !narrow; ++i) {
+        const double thickness = thicknessOf(scene_, scene_.instances[near.items[i]]);
+        narrow = thickness > 0.0 && thickness < kNarrowPixels * pixel;
+    }
+    if (narrow) sum.evidence->marks |= kProbeDetail;
+}
+
 template <unsigned Features>
 void Tracer<Features>::addMiss(const Path& path, ProbeSum& sum) const {
     Probe& evidence = *sum.evidence;
+    if constexpr (kSecondary) {
+        const TreeFrame& frame = scene_.tree.frame();
+        const double reach =
+            glm::length(path.ray.origin - frame.centre) + std::numbers::sqrt3 / frame.scale;
+        if (!scene_.tree.isEmpty()) markNarrow(path, reach, sum);
+    }
     evidence.surfaces = subKey(evidence.surfaces, path.node);
     if (scene_.background.image) evidence.marks |= kProbeDetail;
     sum.addToAll(path.weight * scene_.background.at(path.ray.direction));
@@ -83,6 +110,9 @@ void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
         const Look& look = scene_.looks[instance.look];
         if (look.texture || look.bump) evidence.marks |= kProbeDetail;
     }
+    if constexpr (kSecondary) {
+        markNarrow(path, glm::length(point.position - path.ray.origin), sum);
+    }
     sum.addToAll(path.weight * own * point.material.diffuse * scene_.ambient);
     for (Index light = 0; light < scene_.lights.size(); ++light) {
         probeLight(light, path, own, hit, point, sum);
@@ -94,7 +124,6 @@ template <unsigned Features>
 double Tracer<Features>::footprint(const Path& path, const ShadePoint& point) const {
     const double distance = path.travelled + glm::length(point.position - path.ray.origin);
     const double cosine = std::fabs(glm::dot(point.geometricNormal, path.ray.direction));
-    constexpr double kHalfDiagonal = 0.7071067811865476;
     constexpr double kGrazing = 1.0 / 32;
     return kHalfDiagonal * scene_.camera.pixelSize() * distance / std::max(cosine, kGrazing);
 }
@@ -138,7 +167,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
     } else if (!occluders.overflow && view->distance > light.radius && allOpaque(occluders)) {
         for (unsigned i = 0; i < occluders.count; ++i) {
-            if (thicknessOf(scene_, occluders.items[i]) < 2.0 * margin) {
+            if (thicknessOf(scene_, scene_.instances[occluders.items[i]]) < 2.0 * margin) {
                 sum.evidence->marks |= kProbeDetail;
             }
         }

@@ -63,6 +63,28 @@ TEST_CASE("the error that was reached is the error that was promised") {
     }
 }
 
+TEST_CASE("thin bars that only a mirror shows count towards the error") {
+    const char* const bars = R"(
+        local root = gr.node('root')
+        local grey = gr.material({0.5, 0.5, 0.5}, {0, 0, 0}, 1)
+        local mirror = gr.nh_box('mirror', {-4, -3, -1}, {8, 6, 1})
+        mirror:set_reflection(0.1)
+        root:add_child(mirror, grey)
+        for i = -30, 30 do
+            root:add_child(gr.nh_box('bar', {i, -30, 24}, {0.05, 60, 0.05}), grey)
+        end
+        gr.render(root, 'x.png', 90, 60, {0, 0, 12}, {0.03, 0.02, -1}, {0.1, 1, 0}, 40, {1, 1, 1}, {}))";
+    PictureSettings truth;
+    truth.options.reference = true;
+    truth.options.spp = 4096;
+    const Picture reference = renderScript(bars, truth);
+    for (const double target : {0.01, 0.004}) {
+        PictureSettings settings;
+        settings.options.error = target;
+        CHECK(rmse(renderScript(bars, settings), reference) <= 1.15 * target);
+    }
+}
+
 TEST_CASE("towards an error target the picture is the same for any threads and kernel") {
     PictureSettings settings;
     settings.options.error = 0.01;

@@ -10,6 +10,9 @@
 
 namespace rt {
 
+/// Narrower than this, in pixels, a thing may pass between corners, or show in too few of them.
+inline constexpr double kNarrowPixels = 3.0;
+
 /// What a probe has seen, as bits of `Probe::marks`.
 enum ProbeMark : std::uint32_t {
     kProbeHit = 1u << 0,        ///< the camera ray hit something

@@ -98,6 +98,12 @@ struct RenderScene {
     double radianceBound = kInfinity;
     /// World bounds of the refracting solids, which may contain the lens.
     Bounds refractingBounds;
+    /// The least extent of all solids in their own axes, of those for which it is known.
+    double thinnest = kInfinity;
 };
+
+/// The least extent of an instance in its own axes, in the world: infinite for meshes, of whose
+/// parts it says nothing, and 0 where lengths depend on the direction.
+double thicknessOf(const RenderScene& scene, const Instance& instance);
 
 }  // namespace rt
