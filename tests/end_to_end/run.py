@@ -355,6 +355,16 @@ class Scenes(EndToEnd):
                                        "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
                 self.assertEqual((done.returncode, done.stderr), (0, b""))
 
+    def test_the_twin_of_every_objective_renders_without_a_warning(self):
+        for scene in glob.glob(os.path.join(TOP, "scenes", "objectives", "*.lua")):
+            # One thread instead of several is no matter of the script.
+            if os.path.basename(scene) == "multithreading.lua":
+                continue
+            with self.subTest(scene):
+                done = subprocess.run([PROJECT, scene, "-q", "--werror", "--size", "32x18", "--spp", "1", "-D",
+                                       "without=true", "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
+
     def test_the_scene_with_everything_is_the_slow_truth_but_for_what_was_cut(self):
         scene = os.path.join(TOP, "scenes", "everything.lua")
         common = [scene, "-q", "--size", "48x27", "--spp", "16"]
