@@ -20,17 +20,17 @@ ComparedImage evenImage(int width, int height, double value) {
     return compared;
 }
 
-/// A smooth picture with Gaussian noise, some of it common to each four pixels.
-ComparedImage noisyImage(std::uint64_t seed, double noise) {
+/// A smooth picture with Gaussian noise, and as much, times `together`, common to each 64 pixels.
+ComparedImage noisyImage(std::uint64_t seed, double noise, double together = 0.0) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> error(0.0, noise);
     ComparedImage compared = evenImage(96, 64, 0.0);
     compared.step = 1.0 / 65535.0;
     std::vector<double> shared;
-    for (int i = 0; i < 48 * 32; ++i) shared.push_back(error(random));
+    for (int i = 0; i < 12 * 8; ++i) shared.push_back(together * error(random));
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 96; ++x) {
-            const double common = shared[static_cast<std::size_t>(y / 2 * 48 + x / 2)];
+            const double common = shared[static_cast<std::size_t>(y / 8 * 12 + x / 8)];
             for (int c = 0; c < 3; ++c) {
                 compared.image.at(x, y)[c] =
                     0.2 + 0.005 * x + (c == 1 ? 0.3 : 0.0) + error(random) + common;
@@ -40,9 +40,9 @@ ComparedImage noisyImage(std::uint64_t seed, double noise) {
     return compared;
 }
 
-std::vector<ComparedImage> noisyImages(std::uint64_t seed, double noise) {
+std::vector<ComparedImage> noisyImages(std::uint64_t seed, double noise, double together = 0.0) {
     std::vector<ComparedImage> images;
-    for (std::uint64_t i = 0; i < 4; ++i) images.push_back(noisyImage(seed + i, noise));
+    for (std::uint64_t i = 0; i < 4; ++i) images.push_back(noisyImage(seed + i, noise, together));
     return images;
 }
 
@@ -119,10 +119,14 @@ TEST_CASE("What cannot be compared is named") {
 TEST_CASE("One more render passes by its statistics, of the same noise or of another") {
     for (std::uint64_t seed = 0; seed < 200; seed += 10) {
         CAPTURE(seed);
-        const std::vector<ComparedImage> pictures = noisyImages(seed, 0.03);
-        for (const double noise : {0.0, 0.003, 0.03, 0.3}) {
-            CAPTURE(noise);
-            CHECK(statisticalVerdict(pictures, noisyImage(seed + 5000, noise)).problem == "");
+        for (const double together : {0.0, 0.5, 1.0}) {
+            CAPTURE(together);
+            const std::vector<ComparedImage> pictures = noisyImages(seed, 0.03, together);
+            for (const double noise : {0.0, 0.003, 0.03, 0.3}) {
+                CAPTURE(noise);
+                const ComparedImage reference = noisyImage(seed + 5000, noise, together);
+                CHECK(statisticalVerdict(pictures, reference).problem == "");
+            }
         }
     }
 }
@@ -132,10 +136,10 @@ TEST_CASE("A change far below the noise of a pixel fails by its statistics") {
         CAPTURE(seed);
         const std::vector<ComparedImage> pictures = noisyImages(seed, 0.03);
         ComparedImage everywhere = noisyImage(seed + 5000, 0.03);
-        addTo(everywhere, 0, 0, 96, 64, 0.016);
+        addTo(everywhere, 0, 0, 96, 64, 0.007);
         CHECK_FALSE(statisticalVerdict(pictures, everywhere).problem.empty());
         ComparedImage spot = noisyImage(seed + 5000, 0.03);
-        addTo(spot, 40, 24, 48, 32, 0.15);
+        addTo(spot, 40, 24, 48, 32, 0.07);
         CHECK(statisticalVerdict(pictures, spot).problem.find("from 40,24") != std::string::npos);
     }
 }
@@ -144,7 +148,7 @@ TEST_CASE("Pictures without noise pass when equal, or one step of rounding apart
     const std::vector<ComparedImage> pictures(4, evenImage(20, 20, 0.5));
     CHECK(statisticalVerdict(pictures, pictures[0]).problem.empty());
     CHECK(statisticalVerdict(pictures, evenImage(20, 20, 0.5 + 1.0 / 255.0)).problem.empty());
-    CHECK_FALSE(statisticalVerdict(pictures, evenImage(20, 20, 0.5 + 8.0 / 255.0)).problem.empty());
+    CHECK_FALSE(statisticalVerdict(pictures, evenImage(20, 20, 0.5 + 2.0 / 255.0)).problem.empty());
     const std::vector<ComparedImage> tiny(4, evenImage(1, 1, 0.5));
     CHECK(statisticalVerdict(tiny, tiny[0]).problem.empty());
     CHECK_FALSE(statisticalVerdict(tiny, evenImage(1, 1, 0.9)).problem.empty());

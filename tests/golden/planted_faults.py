@@ -37,7 +37,7 @@ TOUCHED = {
 }
 # name, options
 TIERS = [("exact", ["--tier", "exact"]), ("portable", ["--tier", "portable"]),
-         ("statistical", ["--tier", "statistical", "--time", "0.25", "--bits", "16"])]
+         ("statistical", ["--tier", "statistical", "--spp", "64", "--bits", "16"])]
 
 
 def plant(folder):

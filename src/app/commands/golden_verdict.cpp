@@ -109,7 +109,7 @@ Color meanIn(const PixelImage& image, const Block& block) {
 class Noise {
   public:
     Noise(const std::vector<ComparedImage>& pictures, double step)
-        : rounding_(step * step / 6.0), count_(static_cast<double>(pictures.size())) {
+        : count_(static_cast<double>(pictures.size())) {
         for (const ComparedImage& picture : pictures) images_.push_back(picture.image);
         mean_ = meanOf(images_);
         std::vector<PixelImage> variances;
@@ -120,7 +120,9 @@ class Noise {
         for (Color& pixel : variance_.pixels) pixel *= count_ / (count_ - 1.0);
         const Color all = meanIn(variance_, {0, 0, std::max(mean_.width, mean_.height),
                                              static_cast<double>(variance_.pixels.size())});
-        floor_ = kLeastShare * all + Color(rounding_);
+        // The variance of the sum of two roundings to a step.
+        const double rounding = step * step / 6.0;
+        floor_ = kLeastShare * all + Color(rounding);
     }
 
     const PixelImage& mean() const { return mean_; }
@@ -164,10 +166,7 @@ class Noise {
         return std::max(least, *middle);
     }
 
-    double rounding() const { return rounding_; }
-
   private:
-    double rounding_;  ///< variance of the sum of two roundings to a step
     double count_;
     std::vector<PixelImage> images_;
     PixelImage mean_;
@@ -257,7 +256,7 @@ Verdict statisticalVerdict(const std::vector<ComparedImage>& pictures,
             for (int c = 0; c < 3; ++c) {
                 // An even surface may lie on the border of two steps, and all of it round one way.
                 const double over = std::max(std::fabs(mean[c]) - step, 0.0);
-                const double deviations = over / std::sqrt(variance[c] + noise.rounding());
+                const double deviations = over / std::sqrt(variance[c]);
                 if (deviations <= worst) continue;
                 worst = deviations;
                 where = block;
