@@ -78,6 +78,7 @@ class Golden {
             checkScene(scene, diagnostics);
         } catch (const Error& error) {
             fail(entryFor(scene, scene), error.shown(), error.code());
+            if (options_.verbose) std::fprintf(stderr, "%s\n", error.details().c_str());
         }
         for (const std::string& line : warningLines(diagnostics)) {
             std::fprintf(stderr, "%s\n", line.c_str());
