@@ -465,11 +465,11 @@ class Golden(EndToEnd):
         self.run_project("golden", "nowhere", code=1)
 
     def test_a_scene_with_a_time_is_compared_by_its_statistics(self):
-        self.write("set/timed.lua", "gr.options{time = 0.1, bits = 16}\nlocal shift = gr.param('shift', 0)\n" +
+        self.write("set/timed.lua", "gr.options{time = 0.4, bits = 16}\nlocal shift = gr.param('shift', 0)\n" +
                    EVERYTHING.replace("{5, 8, 5}", "{5 + shift, 8, 5}"))
         self.golden("--update")
         self.assertIn("ok   everything.png: statistical", self.golden())
-        self.assertIn("standard deviations", self.golden("-D", "shift=0.5", code=10))
+        self.assertIn("standard deviations", self.golden("-D", "shift=-9", code=10))
 
 
 class Comparing(EndToEnd):
