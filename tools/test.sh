@@ -32,7 +32,8 @@ check "sealed kernels" sh tests/architecture/sealed_kernels.sh
 check "unit and analytic tests" build/release/tests --minimal
 check "certified ray cases" python3 tests/vectors/check.py build/intersect
 check "the program from outside" python3 tests/end_to_end/run.py ./Project
-check "golden images" python3 tests/golden/run.py ./Project
+check "golden images" ./Project golden tests/golden --report build/golden_report
+check "planted faults" python3 tests/golden/planted_faults.py ./Project
 check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \

@@ -21,6 +21,8 @@ int run(const std::vector<std::string>& arguments) {
             return rt::versionCommand();
         case rt::Command::kCompare:
             return rt::compareCommand(options.compare);
+        case rt::Command::kGolden:
+            return rt::goldenCommand(options);
         case rt::Command::kRender:
             return rt::renderCommand(options);
     }

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -128,12 +130,57 @@ Options parseCompare(const std::vector<std::string>& arguments) {
     return options;
 }
 
+const std::vector<CommandRow>& goldenRows() {
+    static const std::vector<CommandRow> table = {
+        {"Golden", "--update", "", "write the references of what changed or has none",
+         [](Options& o, const std::string& v) {
+             o.golden.update = wordFrom("--update", v, {"true", "false"}) == 0;
+         }},
+        {"Golden", "--tier", "NAME",
+         "how far a picture may be from its reference: exact, portable (default), statistical",
+         [](Options& o, const std::string& v) {
+             o.golden.tier = static_cast<GoldenTier>(
+                 wordFrom("--tier", v, {"exact", "portable", "statistical"}));
+         }},
+        {"Golden", "--report", "DIR", "folder of the report; default golden_report",
+         [](Options& o, const std::string& v) {
+             if (v.empty()) throw UsageError("--report: the name of the folder is empty");
+             o.golden.report = v;
+         }},
+    };
+    return table;
+}
+
+/// The options of a render that have a meaning where pictures go nowhere.
+bool isForGolden(const CommandRow& row) {
+    static const std::set<std::string> without = {"-o",        "--crop",        "--frames",
+                                                  "--stats",   "--list-params", "--check",
+                                                  "--explain", "--fail-fast",   "--version"};
+    return without.count(row.flags) == 0;
+}
+
 void refuseContradictions(const RenderOptions& render) {
     if (!render.spp) return;
     if (render.error || render.time) {
         throw UsageError(std::string("--spp gives every pixel the same number of samples, which ") +
                          (render.error ? "--error" : "--time") + " would choose: say one of them");
     }
+}
+
+Options parseGolden(const std::vector<std::string>& arguments) {
+    std::vector<CommandRow> rows = goldenRows();
+    std::copy_if(commandRows().begin(), commandRows().end(), std::back_inserter(rows), isForGolden);
+    Options options;
+    options.command = Command::kGolden;
+    const Words words = readWords(arguments, rows);
+    apply(words, options);
+    refuseContradictions(options.render);
+    if (options.command == Command::kHelp) return options;
+    if (words.others.size() != 1) {
+        throw UsageError("golden needs one folder: ./Project golden DIR [--update] [options]");
+    }
+    options.golden.folder = words.others[0];
+    return options;
 }
 
 /// Flags and value name in the left column, the text beside them, broken between words.
@@ -173,6 +220,12 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         own.erase(own.begin());
         return parseCompare(own);
     }
+    if (!own.empty() && own[0] == "golden") {
+        own.erase(own.begin());
+        Options golden = parseGolden(own);
+        if (end != arguments.end()) golden.scriptArguments.assign(end + 1, arguments.end());
+        return golden;
+    }
     Options options;
     const Words words = readWords(std::move(own), commandRows());
     apply(words, options);
@@ -188,6 +241,7 @@ std::vector<OptionHelp> optionHelp() {
     std::vector<OptionHelp> all;
     for (const CommandRow& row : commandRows()) all.push_back(helpOf(row));
     for (const CommandRow& row : compareRows()) all.push_back(helpOf(row));
+    for (const CommandRow& row : goldenRows()) all.push_back(helpOf(row));
     return all;
 }
 
@@ -196,7 +250,8 @@ std::string usageLine() {
 }
 
 std::string helpText() {
-    std::string text = usageLine() + "\n       ./Project compare A B [--tolerance E]\n\n" +
+    std::string text = usageLine() + "\n       ./Project compare A B [--tolerance E]\n" +
+                       "       ./Project golden DIR [--update] [--tier NAME] [options]\n\n" +
                        "Renders scene scripts; without one, " + kDefaultScene + ".\n";
     std::string section;
     for (const OptionHelp& row : optionHelp()) {

@@ -150,7 +150,8 @@ TEST_CASE("Every option reaches its field") {
         tried.insert(c.words[0].substr(0, c.words[0].find('=')));
     }
     for (const OptionHelp& row : optionHelp()) {
-        const bool shared = holds(row.section, "Quality") || row.section == "Compare";
+        const bool shared =
+            holds(row.section, "Quality") || row.section == "Compare" || row.section == "Golden";
         const std::string name = row.flags.substr(0, row.flags.find(','));
         CAPTURE(name);
         if (!shared && name != "-h") CHECK(tried.count(name) == 1);
@@ -258,6 +259,13 @@ TEST_CASE("Nonsense is refused with exit code 2 and words that say what would be
         {{"compare", "a.png", "b.png", "--tolerance", "nan"}, ">= 0"},
         {{"compare", "a.png", "b.png", "--tolerence", "1"}, "did you mean --tolerance?"},
         {{"compare", "a.png", "b.png", "--spp", "1"}, "unknown option --spp"},
+        {{"golden"}, "one folder"},
+        {{"golden", "a", "b"}, "one folder"},
+        {{"golden", "a", "--tier", "loose"}, "exact, portable, statistical"},
+        {{"golden", "a", "--report", ""}, "--report"},
+        {{"golden", "a", "-o", "x.png"}, "unknown option -o"},
+        {{"golden", "a", "--updat"}, "did you mean --update?"},
+        {{"golden", "a", "--spp", "1", "--time", "1"}, "--time"},
     };
     for (const Case& c : cases) {
         CAPTURE(join(c.words));
@@ -291,6 +299,32 @@ TEST_CASE("Scenes and script arguments keep their order and every byte") {
     CHECK(parseOptions({"--", "-x"}).scenes == Words{"project.lua"});
     CHECK(parseOptions({"./compare"}).command == Command::kRender);
     CHECK(parseOptions({"a.lua", "compare"}).command == Command::kRender);
+}
+
+TEST_CASE("Golden takes a folder, its own options, and those of a render that name no file") {
+    const Options plain = parseOptions({"golden", "scenes"});
+    CHECK(plain.command == Command::kGolden);
+    CHECK(plain.golden.folder == "scenes");
+    CHECK_FALSE(plain.golden.update);
+    CHECK(plain.golden.tier == GoldenTier::kPortable);
+    CHECK(plain.golden.report == "golden_report");
+    const Options all =
+        parseOptions({"golden", "--update", "--tier", "exact", "--report", "r", "-D", "a=1",
+                      "--spp", "4", "-j", "2", "--size", "8x6", "-q", "scenes", "--", "-x"});
+    CHECK(all.golden.folder == "scenes");
+    CHECK(all.scriptArguments == Words{"-x"});
+    CHECK(all.golden.update);
+    CHECK(all.golden.tier == GoldenTier::kExact);
+    CHECK(all.golden.report == "r");
+    CHECK(all.parameters.at("a") == "1");
+    CHECK(all.render.spp == 4);
+    CHECK(all.threads == 2);
+    CHECK(all.size->width == 8);
+    CHECK(all.quiet);
+    CHECK(parseOptions({"golden", "a", "--tier", "statistical"}).golden.tier ==
+          GoldenTier::kStatistical);
+    CHECK(parseOptions({"golden", "--help"}).command == Command::kHelp);
+    CHECK(parseOptions({"./golden"}).command == Command::kRender);
 }
 
 TEST_CASE("Compare takes two files and a tolerance, and names with a dash after --") {

@@ -41,7 +41,7 @@ TEST_CASE("a name twice is a warning, from -o it is refused") {
 }
 
 TEST_CASE("# is the number of the image, and goes on over the scenes of a run") {
-    Options options;
+    Options options = parseOptions({});
     options.output = "i-##.png";
     OutputNames names(options);
     Diagnostics diagnostics;

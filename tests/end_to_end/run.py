@@ -329,8 +329,10 @@ class Rendering(EndToEnd):
         render = json.loads(self.read("s.json"))["renders"][0]
         self.assertGreaterEqual(render["spp_max"], 1)
 
+    NOT_FINITE = BALL.replace("{0.8, 0.8, 0.8}, {1, 0, 0}", "{1e308, 1e308, 1e308}, {1e-300, 0, 0}")
+
     def test_a_light_too_bright_for_numbers_is_reported(self):
-        self.write("scene.lua", BALL.replace("{0.8, 0.8, 0.8}, {1, 0, 0}", "{1e308, 1e308, 1e308}, {1e-300, 0, 0}"))
+        self.write("scene.lua", self.NOT_FINITE)
         done = self.run_project("scene.lua")
         self.assertIn(b"not finite", done.stderr)
 
@@ -340,8 +342,9 @@ class Scenes(EndToEnd):
 
     def test_every_scene_and_example_renders_without_a_warning(self):
         scenes = glob.glob(os.path.join(TOP, "scenes", "*.lua"))
+        scenes += glob.glob(os.path.join(TOP, "scenes", "objectives", "*.lua"))
         examples = glob.glob(os.path.join(TOP, "Documentation", "examples", "*.lua"))
-        self.assertGreater(len(scenes), 15)
+        self.assertGreater(len(scenes), 30)
         self.assertGreater(len(examples), 25)
         for scene in scenes + examples:
             if os.path.basename(scene) == "stage.lua":
@@ -350,6 +353,16 @@ class Scenes(EndToEnd):
                 # The examples find what they show in the assets of the folder that they are run in.
                 done = subprocess.run([PROJECT, scene, "-q", "--werror", "--size", "32x18", "--spp", "1",
                                        "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
+                self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+    def test_the_twin_of_every_objective_renders_without_a_warning(self):
+        for scene in glob.glob(os.path.join(TOP, "scenes", "objectives", "*.lua")):
+            # One thread instead of several is no matter of the script.
+            if os.path.basename(scene) == "multithreading.lua":
+                continue
+            with self.subTest(scene):
+                done = subprocess.run([PROJECT, scene, "-q", "--werror", "--size", "32x18", "--spp", "1", "-D",
+                                       "without=true", "-o", self.path("x.png")], cwd=TOP, capture_output=True, timeout=300)
                 self.assertEqual((done.returncode, done.stderr), (0, b""))
 
     def test_the_scene_with_everything_is_the_slow_truth_but_for_what_was_cut(self):
@@ -370,6 +383,110 @@ class Scenes(EndToEnd):
         for a, b in zip(*means):
             self.assertLessEqual(abs(a - b), render["cut_error_bound"] + 1e-3)
         self.assertLess(render["cut_error_bound"], 1e-2)
+
+class Golden(EndToEnd):
+    """The golden command: what passes, what fails, and what it writes."""
+
+    def make(self, extra=""):
+        self.write("set/ball.lua", "gr.options{spp = 4}\nlocal at = gr.param('at', 0)\n" + extra +
+                   BALL.replace("gr.sphere('ball')", "gr.nh_sphere('ball', {at, 0, 0}, 1)"))
+
+    def golden(self, *args, code=0):
+        done = self.run_project("golden", "set", *args, code=code)
+        return done.stdout.decode()
+
+    def test_a_reference_is_made_then_passes_and_a_change_fails_with_a_report(self):
+        self.make()
+        self.assertIn("--update", self.golden(code=10))
+        self.assertFalse(os.path.exists(self.path("set/ball.png")))
+        self.assertIn("is written", self.golden("--update"))
+        self.run_project("set/ball.lua", "-q", "-o", "alone.png")
+        self.assertEqual(self.read("alone.png"), self.read("set/ball.png"))
+        self.assertIn("ok   ball.png: exact", self.golden("--tier", "exact"))
+        self.assertEqual(self.golden("-q").splitlines()[:-1], [])
+        self.assertIn("FAIL ball.png", self.golden("-D", "at=0.05", code=10))
+        page = self.read("golden_report/index.html").decode()
+        for kind in "picture", "reference", "difference", "flip":
+            self.assertIn("1_%s.png" % kind, page)
+            self.assertTrue(self.read("golden_report/1_%s.png" % kind).startswith(b"\x89PNG"))
+        self.assertIn("changed", self.golden("--update", "-D", "at=0.05"))
+        self.golden("-D", "at=0.05")
+        before = os.stat(self.path("set/ball.png")).st_mtime_ns
+        self.assertIn("unchanged", self.golden("--update", "-D", "at=0.05"))
+        self.assertEqual(os.stat(self.path("set/ball.png")).st_mtime_ns, before)
+
+    def test_references_that_cannot_be_compared_fail_and_say_why(self):
+        self.make()
+        self.golden("--update")
+        good = self.read("set/ball.png")
+        self.run_project("set/ball.lua", "-q", "--bits", "16", "-o", "bits.png")
+        for name, bytes_, words in [("half a file", good[:len(good) // 2], "ball.png"), ("nothing", b"", "ball.png"),
+                                    ("no image", b"text", "ball.png"), ("bits", self.read("bits.png"), "bits")]:
+            with self.subTest(name), open(self.path("set/ball.png"), "wb") as f:
+                f.write(bytes_)
+                f.flush()
+                self.assertIn(words, self.golden(code=10).splitlines()[0])
+        with open(self.path("set/ball.png"), "wb") as f:
+            f.write(good)
+        self.assertIn("the sizes differ", self.golden("--size", "32x24", code=10))
+        self.golden()
+
+    def test_floats_and_values_that_are_not_numbers(self):
+        self.write("set/ball.lua", "gr.options{spp = 1}\n" + BALL.replace("ball.png", "ball.pfm"))
+        self.golden("--update")
+        self.golden("--tier", "exact")
+        reference = self.read("set/ball.pfm")
+        with open(self.path("set/ball.pfm"), "wb") as f:
+            f.write(reference[:-4] + struct.pack("<f", float("nan")))
+        self.assertIn("not finite", self.golden(code=10))
+        self.assertIn("not finite", self.golden("--tier", "statistical", code=10))
+
+    def test_samples_that_are_not_finite_fail_and_are_not_written(self):
+        self.write("set/nan.lua", Rendering.NOT_FINITE)
+        self.assertIn("not finite", self.golden("--update", "--spp", "1", code=10))
+        self.assertFalse(os.path.exists(self.path("set/ball.png")))
+
+    def test_one_failure_does_not_stop_the_others_and_its_code_is_the_first(self):
+        self.make()
+        self.write("set/a_broken.lua", "x = = 1")
+        self.write("set/helper.lua", "return {}")
+        out = self.golden("--update", code=1)
+        self.assertIn("FAIL set/a_broken.lua", out)
+        self.assertIn("ok   ball.png", out)
+        os.remove(self.path("set/a_broken.lua"))
+        self.write("set/copy.lua", BALL)
+        self.assertIn("reference is that of another image", self.golden("--spp", "4", code=10))
+
+    def test_a_folder_without_scenes_fails(self):
+        os.mkdir(self.path("set"))
+        self.golden(code=2)
+        self.write("set/helper.lua", "return {}")
+        self.golden(code=2)
+        self.run_project("golden", "nowhere", code=1)
+
+    def test_a_scene_with_a_time_is_compared_by_its_statistics(self):
+        self.write("set/timed.lua", "gr.options{time = 0.4, bits = 16}\nlocal shift = gr.param('shift', 0)\n" +
+                   EVERYTHING.replace("{5, 8, 5}", "{5 + shift, 8, 5}"))
+        self.golden("--update")
+        self.assertIn("ok   everything.png: statistical", self.golden())
+        self.assertIn("standard deviations", self.golden("-D", "shift=-9", code=10))
+
+
+class Comparing(EndToEnd):
+    def test_every_format_is_read_and_holds_the_same_picture(self):
+        self.write("scene.lua", BALL)
+        names = ["a.png", "a.tif", "a.exr", "a.hdr", "a.pfm"]
+        for name in names:
+            self.run_project("scene.lua", "-q", "--spp", "4", "--bits", "16", "-o", name)
+        for a in names:
+            for b in names:
+                # The mantissas of .hdr have 8 bits.
+                tolerance = "0" if a == b else "0.005" if "a.hdr" in (a, b) else "0.00001"
+                done = self.run_project("compare", a, b, "--tolerance", tolerance)
+                for line in b"RMSE", b"mean", b"max", b"over 4/255", b"FLIP":
+                    self.assertIn(line, done.stdout)
+        self.run_project("scene.lua", "-q", "--spp", "4", "--size", "32x24", "-o", "b.png")
+        self.run_project("compare", "a.png", "b.png", code=10)
 
 
 class Failures(EndToEnd):
@@ -470,7 +587,8 @@ def main():
     global PROJECT
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Failures]
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Golden,
+                                                                          Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

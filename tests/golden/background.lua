@@ -4,6 +4,8 @@
 -- bottom, which is half of v: green goes from 0.25 to 0.75. Lines of equal latitude bend. In the ball's
 -- middle is the seam at +z, u = 0 beside u = 1.
 
+gr.options{spp = 16}
+
 local ball = gr.nh_sphere('ball', {0, 0, -6}, 1.2)
 ball:set_reflection(0)
 local root = gr.node('root')

@@ -6,6 +6,8 @@
 -- without any loss, since inside it the ray meets the side beyond the critical angle of 41.8 degrees;
 -- all shadows of glass are grey, none black.
 
+gr.options{spp = 16}
+
 local clear = gr.material({0.02, 0.02, 0.02}, {0, 0, 0}, 1)
 local root = gr.node('root')
 root:add_child(gr.nh_box('floor', {-8, -0.2, -8}, {16, 0.2, 16}), nil, gr.texture('checker.png', {0, 0, 0}, 1))

@@ -3,6 +3,8 @@
 -- gem's own grey; the grey one in the corner hangs there without; all have the same faces, columns
 -- differ in turn only, and the last row is mirrored.
 
+gr.options{spp = 16}
+
 local colours = {{0.8, 0.2, 0.2}, {0.2, 0.7, 0.3}, {0.25, 0.35, 0.8}}
 local gem = gr.mesh('gem', 'dodecahedron.obj')
 gem:set_material(gr.material({0.5, 0.5, 0.5}, {0.3, 0.3, 0.3}, 20))

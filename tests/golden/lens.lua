@@ -4,6 +4,8 @@
 -- (D p tan(fov/2)) pixels = 7.2 times 0.5 |10-D| / D (h = 48, tan = 1/3): 3.6 for the first, 1.8, 2.7 and
 -- 3.4 for the last three. So the first and the last are the most blurred and nearly alike.
 
+gr.options{spp = 16}
+
 local m = gr.material({1, 1, 1}, {0, 0, 0}, 1)
 local root = gr.node('root')
 local function disc(name, x, distance)

@@ -5,6 +5,8 @@
 -- corner lie more than 40 degrees apart and are not averaged; the arrow has its notch, which a fan from
 -- a corner beside it would fill.
 
+gr.options{spp = 16}
+
 local m = gr.material({0.6, 0.6, 0.6}, {0.4, 0.4, 0.4}, 30)
 local root = gr.node('root')
 local balls = {gr.mesh('flat', 'ball80_plain.obj', {smooth = false}), gr.mesh('computed', 'ball80_plain.obj'),

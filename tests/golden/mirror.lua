@@ -3,6 +3,8 @@
 -- it, at full strength; the floor's twins have half their colour; the mirror ball shows the red ball
 -- and its twin in the wall on its right, and the floor in its lower half.
 
+gr.options{spp = 16}
+
 local grey = gr.material({0.5, 0.5, 0.5}, {0, 0, 0}, 1)
 local root = gr.node('root')
 local wall = gr.nh_box('wall', {2, 0, -4}, {0.2, 4, 8})

@@ -4,6 +4,8 @@
 -- the cone stands on its apex; the ring's hole is 1.5 wide and its tube 0.5. The lower row holds the
 -- nh_ forms of the same measures, so each stands below its twin with the same shading.
 
+gr.options{spp = 16}
+
 local m = gr.material({0.6, 0.6, 0.6}, {0.3, 0.3, 0.3}, 20)
 local root = gr.node('root')
 local x = {-5, -2.5, 0, 2.5, 5.2}

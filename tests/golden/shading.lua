@@ -4,6 +4,8 @@
 -- which the lower rows add ks = 0.2 with exponent 5 and 50: up to 51 steps at the centre, the middle
 -- row's highlight the wider.
 
+gr.options{spp = 16}
+
 local root = gr.node('root')
 for row = 1, 3 do
     for column = 1, 3 do

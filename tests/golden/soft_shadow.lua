@@ -4,6 +4,8 @@
 -- light at x = 0; the right part is black but for the ambient 0.1, the left one has no shadow.
 -- The ball on the left is lit as by a point light.
 
+gr.options{spp = 16}
+
 local m = gr.material({0.8, 0.8, 0.8}, {0, 0, 0}, 1)
 local root = gr.node('root')
 root:add_child(gr.nh_box('floor', {-50, -1, -50}, {100, 1, 100}), m)

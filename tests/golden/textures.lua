@@ -5,6 +5,8 @@
 -- studs and ripples are bright on the side of the light, the upper left, as bumps are and dents are
 -- not.
 
+gr.options{spp = 16}
+
 local grid = gr.texture('uv_grid.png', {0, 0, 0}, 1)
 local m = gr.material({0.7, 0.6, 0.4}, {0.3, 0.3, 0.3}, 30)
 local root = gr.node('root')

@@ -5,6 +5,8 @@
 -- further, so that the last stick is level; a cone upside down by a negative scale; a torus of radii
 -- 0.8 and 0.2 scaled to half its height, an oval ring with thin top and bottom.
 
+gr.options{spp = 16}
+
 local a = gr.material({0.70, 0.45, 0.25}, {0.3, 0.3, 0.3}, 20)
 local b = gr.material({0.30, 0.50, 0.65}, {0.3, 0.3, 0.3}, 20)
 local root = gr.node('root')

@@ -12,6 +12,9 @@ int renderCommand(const Options& options);
 /// Two images: their difference, and exit code 10 where it is over the tolerance.
 int compareCommand(const CompareOptions& options);
 
+/// Every scene of a folder, rendered and held against its image; exit code 10 where one differs.
+int goldenCommand(const Options& options);
+
 int helpCommand();
 int versionCommand();
 

@@ -13,7 +13,7 @@
 
 namespace rt {
 
-enum class Command { kRender, kCompare, kHelp, kVersion };
+enum class Command { kRender, kCompare, kGolden, kHelp, kVersion };
 
 enum class ColorMode { kAuto, kAlways, kNever };
 
@@ -44,9 +44,21 @@ struct CompareOptions {
     std::optional<double> tolerance;  ///< largest RMSE that passes
 };
 
+/// How much a picture agrees with its reference, from all to least.
+enum class GoldenTier { kExact, kPortable, kStatistical };
+
+/// `golden DIR`.
+struct GoldenOptions {
+    std::string folder;
+    bool update = false;
+    GoldenTier tier = GoldenTier::kPortable;  ///< the weakest that passes
+    std::string report = "golden_report";     ///< folder
+};
+
 struct Options {
     Command command = Command::kRender;
     CompareOptions compare;
+    GoldenOptions golden;
 
     std::vector<std::string> scenes;           ///< "-" is stdin; never empty for kRender
     bool defaultScene = false;                 ///< none was named: scenes is {kDefaultScene}

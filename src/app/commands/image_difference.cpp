@@ -71,6 +71,13 @@ PixelImage readPfm(const std::vector<std::uint8_t>& bytes, const std::string& pa
     return image;
 }
 
+/// The step between neighbouring values of integers that stand for 0 .. 1; 0 for floats.
+template <class Sample>
+constexpr double stepOf(const std::vector<Sample>&) {
+    if constexpr (!std::is_integral_v<Sample>) return 0.0;
+    return 1.0 / static_cast<double>(std::numeric_limits<Sample>::max());
+}
+
 PixelImage pixelsOf(const Image& image) {
     const auto count =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -100,14 +107,16 @@ ComparedImage loadForComparison(const std::string& path) {
     std::array<char, kPfmMagic.size()> start{};
     const std::size_t got = file.read(start.data(), start.size());
     if (std::string_view(start.data(), got) == kPfmMagic) {
-        return {readPfm(InputFile(path).readAll(), path), true};
+        return {readPfm(InputFile(path).readAll(), path), true, 3, 0.0};
     }
     ImageLimits limits;
     limits.maxPixels = std::numeric_limits<std::int32_t>::max();
     limits.keepAllValues = true;
     Diagnostics passedOver;
     const Image image = loadImage(path, limits, passedOver);
-    return {pixelsOf(image), std::holds_alternative<std::vector<float>>(image.samples)};
+    const double step =
+        std::visit([](const auto& samples) { return stepOf(samples); }, image.samples);
+    return {pixelsOf(image), step == 0.0, image.channels, step};
 }
 
 ImageDifference differenceOf(const PixelImage& a, const PixelImage& b) {

@@ -7,10 +7,12 @@
 
 namespace rt {
 
-/// An image for comparison, and whether its file held floats.
+/// An image for comparison, and what its file held.
 struct ComparedImage {
     PixelImage image;
     bool floats = false;
+    int channels = 3;   ///< in the file: 1 or 3
+    double step = 0.0;  ///< between neighbouring values of the file's integers; 0 for floats
 };
 
 /// Reads an image of any kind that this program reads or writes, its values as they are: integers

@@ -1,0 +1,250 @@
+#include "scene_renderer.h"
+
+#include "interrupts.h"
+#include "rt/compile/compile.h"
+#include "rt/compile/trace_settings.h"
+#include "rt/core/error.h"
+#include "rt/core/parallel.h"
+#include "rt/core/text.h"
+#include "rt/render/kernel_choice.h"
+#include "scene_report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace rt {
+namespace {
+
+ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
+    ScriptSettings settings;
+    settings.arguments = options.scriptArguments;
+    settings.parameters = options.parameters;
+    settings.frame = static_cast<int>(frame);
+    if (options.frames && options.frames->last > options.frames->first) {
+        settings.time = static_cast<double>(frame - options.frames->first) /
+                        static_cast<double>(options.frames->last - options.frames->first);
+    }
+    settings.trust = options.trust;
+    settings.legacyTransforms = options.legacyTransforms;
+    settings.memoryLimit = options.scriptMemory;
+    settings.timeLimit = options.scriptTime;
+    settings.printToStderr = options.output == "-";
+    return settings;
+}
+
+ImageSettings imageSettings(const RenderOptions& options) {
+    ImageSettings settings;
+    settings.bits = options.bits.value_or(8);
+    if (options.transfer.value_or("raw") == "srgb") settings.transfer = Transfer::kSrgb;
+    return settings;
+}
+
+PixelImage imageOf(const Film& film, const Tile& area) {
+    PixelImage image{area.width(), area.height(), {}};
+    for (int y = area.y0; y < area.y1; ++y) {
+        for (int x = area.x0; x < area.x1; ++x) image.pixels.push_back(film.at(x, y).mean());
+    }
+    return image;
+}
+
+Tile wholeOf(const RenderScene& scene) {
+    return {0, 0, scene.width, scene.height};
+}
+
+void countSamples(const Film& film, RenderStats& stats) {
+    stats.sppMin = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t total = 0;
+    for (const PixelState& pixel : film.pixels) {
+        total += pixel.samples;
+        stats.sppMin = std::min(stats.sppMin, pixel.samples);
+        stats.sppMax = std::max(stats.sppMax, pixel.samples);
+    }
+    stats.sppMean = static_cast<double>(total) / static_cast<double>(film.pixels.size());
+}
+
+void warnIfNotConverged(const RenderStats& stats, const RenderDesc& render,
+                        Diagnostics& diagnostics) {
+    if (stats.converged || !stats.errorTarget || !stats.errorEstimate) return;
+    diagnostics.warn("not-converged", render.where,
+                     "the estimated error is " + shortest(*stats.errorEstimate) +
+                         ", more than the target of " + shortest(*stats.errorTarget) +
+                         " (see --max-spp)");
+}
+
+void warnOfNonFinite(const TraceCounts& counts, const RenderDesc& render,
+                     Diagnostics& diagnostics) {
+    if (counts.nonFinite == 0) return;
+    diagnostics.warn("non-finite", render.where,
+                     std::to_string(counts.nonFinite) +
+                         " samples were not finite and count as black, the first in pixel " +
+                         std::to_string(counts.nonFiniteX) + "," +
+                         std::to_string(counts.nonFiniteY));
+}
+
+}  // namespace
+
+std::vector<std::string> warningLines(const Diagnostics& diagnostics) {
+    std::vector<std::string> lines;
+    for (const Diagnostics::Warning& warning : diagnostics.shown()) {
+        lines.push_back(warning.where.prefix() + "warning: " + warning.message + " [-W" +
+                        warning.kind + "]");
+    }
+    for (const auto& [kind, count] : diagnostics.countByKind()) {
+        if (count <= Diagnostics::kShownPerKind) continue;
+        lines.push_back("warning: " + std::to_string(count - Diagnostics::kShownPerKind) +
+                        " more of [-W" + kind + "]");
+    }
+    return lines;
+}
+
+SceneRenderer::SceneRenderer(const Options& options)
+    : options_(options),
+      threads_(options.threads > 0 ? options.threads : availableThreads()),
+      kernel_(chooseKernel(options.isa.value_or(""))),
+      assets_(threads_) {}
+
+ScriptResult SceneRenderer::runScript(const std::string& path, std::int64_t frame,
+                                      Diagnostics& diagnostics) {
+    assets_.forgetTables();
+    return rt::runScript(path, scriptSettings(options_, frame), diagnostics);
+}
+
+PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
+                                     Diagnostics& diagnostics) {
+    const RenderDesc& render = desc.renders[index];
+    PreparedScene prepared;
+    prepared.options = options_.render.over(render.options);
+    const auto began = std::chrono::steady_clock::now();
+    prepared.scene = compiled(desc, index, prepared.options, diagnostics);
+    prepared.buildSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    const bool clips = options_.crop &&
+                       clipped(*options_.crop, prepared.scene.width, prepared.scene.height).second;
+    if (clips) {
+        diagnostics.warn("crop", render.where, "--crop reaches beyond the image and is clipped");
+    }
+    return prepared;
+}
+
+Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
+                              const PreparedScene& prepared, std::function<void(double)> onProgress,
+                              Diagnostics& diagnostics) const {
+    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, std::move(onProgress));
+    warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
+    Picture picture;
+    picture.image = imageOf(outcome.film, areaOf(prepared.scene));
+    picture.settings = imageSettings(prepared.options);
+    picture.stats = statsOf(prepared.scene, prepared.options, outcome);
+    picture.stats.scene = desc.name;
+    picture.stats.buildSeconds = prepared.buildSeconds;
+    picture.cancelled = outcome.cancelled;
+    picture.nonFinite = outcome.counts.nonFinite;
+    warnIfNotConverged(picture.stats, desc.renders[index], diagnostics);
+    return picture;
+}
+
+ImageMetadata metadataOf(const RenderStats& stats) {
+    ImageMetadata metadata;
+    metadata.scene = stats.scene;
+    metadata.seed = stats.seed;
+    metadata.samplesPerPixel = stats.sppMean;
+    metadata.error = stats.errorEstimate;
+    return metadata;
+}
+
+void SceneRenderer::checkOutput(const std::string& output, const RenderDesc& render) const {
+    refuseTooManyPixels(render);
+    ImageSize size = options_.size.value_or(ImageSize{render.width, render.height});
+    if (options_.crop) {
+        const Crop crop = clipped(*options_.crop, size.width, size.height).first;
+        size = {crop.x1 - crop.x0, crop.y1 - crop.y0};
+    }
+    checkImageOutput(output, size.width, size.height,
+                     imageSettings(options_.render.over(render.options)));
+}
+
+RenderScene SceneRenderer::compiled(const SceneDesc& desc, std::size_t index,
+                                    const RenderOptions& options, Diagnostics& diagnostics) {
+    CompileSettings settings;
+    if (options_.size) {
+        settings.width = options_.size->width;
+        settings.height = options_.size->height;
+    }
+    settings.threads = threads_;
+    settings.smoothAngleDegrees = options.smoothAngle.value_or(settings.smoothAngleDegrees);
+    settings.flipV = options.flipV.value_or(false);
+    settings.srgb = options.transfer.value_or("raw") == "srgb";
+    settings.maxInstances = static_cast<std::uint64_t>(options_.maxInstances);
+    settings.maxPixels = static_cast<std::uint64_t>(options_.maxPixels);
+    refuseTooManyPixels(desc.renders[index]);
+    return compileScene(desc, index, settings, assets_, diagnostics);
+}
+
+void SceneRenderer::refuseTooManyPixels(const RenderDesc& render) const {
+    const std::int64_t width = options_.size ? options_.size->width : render.width;
+    const std::int64_t height = options_.size ? options_.size->height : render.height;
+    if (width * height <= options_.maxPixels) return;
+    throw LimitError("gr.render: " + std::to_string(width) + "x" + std::to_string(height) +
+                         " pixels need " +
+                         std::to_string((width * height * std::int64_t{sizeof(PixelState)}) >> 20) +
+                         " MB, more than the limit of " + std::to_string(options_.maxPixels) +
+                         " pixels (see --max-pixels)",
+                     render.where);
+}
+
+RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOptions& options,
+                                      std::function<void(double)> onProgress) const {
+    const SamplingGoal goal = samplingGoal(options);
+    RenderJob job;
+    job.settings = goal.trace;
+    job.errorTarget = goal.errorTarget;
+    job.adaptive = goal.adaptive;
+    // Towards an error target a pixel's samples depend on the whole image's error.
+    job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
+    job.threads = threads_;
+    job.timeLimit = goal.timeLimit;
+    job.kernel = &kernel_;
+    job.cancel = &Interrupts::requested();
+    job.onProgress = std::move(onProgress);
+    const Interrupts::Deferred deferred;
+    return rt::render(scene, job);
+}
+
+Tile SceneRenderer::areaOf(const RenderScene& scene) const {
+    if (!options_.crop) return wholeOf(scene);
+    const Crop crop = clipped(*options_.crop, scene.width, scene.height).first;
+    return {crop.x0, crop.y0, crop.x1, crop.y1};
+}
+
+RenderStats SceneRenderer::statsOf(const RenderScene& scene, const RenderOptions& options,
+                                   const RenderOutcome& outcome) const {
+    RenderStats stats;
+    stats.width = areaOf(scene).width();
+    stats.height = areaOf(scene).height();
+    stats.threads = threads_;
+    stats.seed = static_cast<std::uint64_t>(options.seed.value_or(0.0));
+    countSamples(outcome.film, stats);
+    stats.converged = outcome.converged;
+    stats.errorEstimate = outcome.errorEstimate;
+    const double target = samplingGoal(options).errorTarget;
+    if (target > 0.0) stats.errorTarget = target;
+    const SceneCounts counts = countsOf(scene);
+    stats.triangles = counts.triangles;
+    stats.primitives = counts.primitives;
+    stats.instances = scene.instances.size();
+    stats.lights = scene.lights.size();
+    stats.renderSeconds = outcome.seconds;
+    stats.cpuSeconds = outcome.cpuSeconds;
+    stats.peakRssBytes = peakResidentBytes();
+    stats.rays = outcome.counts.rays;
+    stats.cutPaths = outcome.counts.cutPaths;
+    stats.cutErrorBound =
+        outcome.counts.cutBound / std::max(1.0, static_cast<double>(outcome.counts.rays.camera));
+    stats.features = featuresOf(scene);
+    stats.skipped = skippedBy(scene);
+    return stats;
+}
+
+}  // namespace rt

@@ -1,0 +1,78 @@
+// script -> description -> compiled scene -> tiles -> film: the one way to a picture that all
+// commands share.
+#pragma once
+
+#include "rt/app/options.h"
+#include "rt/app/stats.h"
+#include "rt/compile/asset_cache.h"
+#include "rt/core/diagnostics.h"
+#include "rt/output/image_writer.h"
+#include "rt/output/pixel_image.h"
+#include "rt/render/renderer.h"
+#include "rt/script/scene_script.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A description's render, compiled, and what it was told.
+struct PreparedScene {
+    RenderOptions options;  ///< of the command line over the script's
+    RenderScene scene;
+    double buildSeconds = 0.0;
+};
+
+/// Finished pixels, and what is known about them; `stats.output` and `stats.warnings` are the
+/// caller's to fill.
+struct Picture {
+    PixelImage image;
+    ImageSettings settings;
+    RenderStats stats;
+    bool cancelled = false;
+    std::uint64_t nonFinite = 0;  ///< samples; they count as black
+};
+
+/// What a file says about the picture.
+ImageMetadata metadataOf(const RenderStats& stats);
+
+/// Warnings of one scene, as lines to show.
+std::vector<std::string> warningLines(const Diagnostics& diagnostics);
+
+/// Renders scenes with the options of one run. Keeps assets from one scene to the next.
+class SceneRenderer {
+  public:
+    /// `options` must outlive it.
+    explicit SceneRenderer(const Options& options);
+
+    int threads() const { return threads_; }
+
+    ScriptResult runScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics);
+
+    /// What can be known about an output before there is anything to write.
+    void checkOutput(const std::string& output, const RenderDesc& render) const;
+
+    PreparedScene prepare(const SceneDesc& desc, std::size_t index, Diagnostics& diagnostics);
+
+    /// `onProgress` is told the share that is done.
+    Picture render(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
+                   std::function<void(double)> onProgress, Diagnostics& diagnostics) const;
+
+  private:
+    RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
+                         Diagnostics& diagnostics);
+    void refuseTooManyPixels(const RenderDesc& render) const;
+    RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
+                           std::function<void(double)> onProgress) const;
+    Tile areaOf(const RenderScene& scene) const;
+    RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
+                        const RenderOutcome& outcome) const;
+
+    const Options& options_;
+    int threads_;
+    const TraceKernel& kernel_;
+    AssetCache assets_;
+};
+
+}  // namespace rt
