@@ -1,5 +1,6 @@
 // The way through the program: options -> command. Rendering is src/app/commands/render.cpp:
 // script -> description -> compiled scene -> tiles -> film -> file.
+#include "roomy_stack.h"
 #include "rt/app/commands.h"
 #include "rt/app/options.h"
 #include "rt/core/error.h"
@@ -27,9 +28,7 @@ int run(const std::vector<std::string>& arguments) {
     return static_cast<int>(rt::ExitCode::kInternal);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runAndReport(int argc, char** argv) {
     try {
         return run({argv + 1, argv + argc});
     } catch (const rt::Error& error) {
@@ -39,7 +38,13 @@ int main(int argc, char** argv) {
         std::fputs("error: out of memory\n", stderr);
         return static_cast<int>(rt::ExitCode::kLimit);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "internal error: %s; please report it\n", error.what());
+        std::fprintf(stderr, "error: internal error: %s; please report it\n", error.what());
         return static_cast<int>(rt::ExitCode::kInternal);
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return rt::withRoomyStack([&] { return runAndReport(argc, argv); });
 }

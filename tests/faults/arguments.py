@@ -62,7 +62,7 @@ CASES = [
     wrong("D5", "radius -1", "gr.nh_sphere('s', {0,0,0}, -1)", r"radius must be > 0 \(got -1\)"),
     fine("D6", "scale(0,1,1)", placed("s:scale(0,1,1)"), "warning: .*flat"),
     fine("D7", "mirrored", placed("s:scale(-1,1,1)")),
-    *[Case("D8", "scale %s" % s, placed("s:scale(%s)" % s), code=1, says="scene.lua:\\d+: error: ") for s in ("1e300,1e300,1e300", "1e-320,1,1")],
+    *[Case("D8", "scale %s" % s, placed("s:scale(%s)" % s), code=1, says="scene.lua:\\d+: error: ") for s in ("1e-320,1,1", "1e-310,1e-310,1e-310")],
     Case("D8 E10", "a product that overflows", placed("for i = 1, 3 do s:scale(1e150,1e150,1e150) end"), code=1, says="finite|large|small|invert"),
     Case("E10", "a product that vanishes", shot("local s, g = gr.sphere('s'), gr.node('g') s:scale(1e-200,1e-200,1e-200) g:scale(1e-200,1e-200,1e-200) "
          "g:add_child(s, white) root:add_child(g)"), code={0, 1}, says="error: |warning: .*flat"),
@@ -86,7 +86,7 @@ CASES = [
     wrong("D16", "up of zero", render(up="{0,0,0}"), "up"),
     Case("D16", "view along up", ROOT + "root:add_child(gr.sphere('s'), white)\n" + render(up="{0,0,-2}"), says="warning: .*up", writes="x.png"),
     *[wrong("D17", "fov " + f, render(fov=f), "fov") for f in ("0", "180", "360", "-10")],
-    *[wrong("D18", "width " + w, render(w=w), "width", code=1) for w in ("0", "-3", "1.5", "0/0", "1e300", "-2^63", "'x'", "2^31", "2^53")],
+    *[wrong("D18", "width " + w, render(w=w), "w must be a whole number", code=1) for w in ("0", "-3", "1.5", "0/0", "1e300", "-2^63", "'x'", "2^31", "2^53")],
     wrong("D19", "10^9 pixels", render(w="40000", h="25000"), ["1000000000|40000x25000", "--max-pixels", "MB"], code=4, seconds=5),
     wrong("D20", "no name", render(file="''"), "file|name", code={1, 2, 3}),
     *[Case("D20", "output " + n[:20], ROOT + "root:add_child(gr.sphere('s'), white)\n" + render(file=n), code={1, 3}, says="error: ")
@@ -97,7 +97,7 @@ CASES = [
     fine("D22", "a thousand renders", ROOT + "for i = 1, 1000 do " + render(file="'out/' .. i .. '.png'", w="1", h="1") + " end", never="error", writes="out/1000.png"),
     fine("D22", "two renders of one name", BALL + SHOT, "warning: .*x\\.png"),
     Case("D23", "render within a callback", shot("table.sort({1, 2}, function() %s end) root:add_child(gr.sphere('s'), white)" % render()), code={0, 1}),
-    wrong("D24", "unknown option", "gr.options{sppp = 3}", r"did you mean (\"?)spp\1\?"),
+    wrong("D24", "unknown option", "gr.options{sppp = 3}", "did you mean 'spp'"),
     wrong("D24", "unknown call", "gr.sphear('s')", "sphere"),
     fine("D25", "odd names", shot("root:add_child(gr.sphere(('n'):rep(1 << 20)), white) root:add_child(gr.sphere(''), white) "
          r"root:add_child(gr.sphere('\xff\xfe'), white) root:add_child(gr.sphere('s'), white) root:add_child(gr.sphere('s'), white)"), never="error"),

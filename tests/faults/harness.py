@@ -106,7 +106,7 @@ def always(case, run):
         yield "exit code %d, which the contract does not have" % run.code
     if SANITIZER.search(run.errors.encode()):
         yield "a sanitizer spoke"
-    if run.code in (1, 2, 3, 4) and not MESSAGE.search(run.errors):
+    if run.code in (1, 2, 3, 4) and not MESSAGE.search(run.errors + (run.out.decode(errors="replace") if case.prints else "")):
         yield "failed without a message of the common form"
     if len(run.errors) > 64 * 1024:
         yield "%d bytes of messages" % len(run.errors)

@@ -58,7 +58,7 @@ def counted(run):
 
 
 CASES = [
-    stopped("J1", "SIGINT while rendering", signal.SIGINT, word="%"),
+    stopped("J1", "SIGINT while rendering", signal.SIGINT),
     stopped("J1", "SIGINT while rendering towards an error", signal.SIGINT, "scene.lua --error 1e-7 --max-spp 1000000"),
     stopped("J1", "SIGINT while rendering against time", signal.SIGINT, "scene.lua --time 100"),
     stopped("J3", "SIGTERM while rendering", signal.SIGTERM),

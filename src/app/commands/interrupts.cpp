@@ -17,6 +17,10 @@ extern "C" void onSignal(int signal) {
     firstSignal.store(signal);
 }
 
+/// A reader that goes is an error of the write. Not ignored, which programs that a script starts
+/// would inherit.
+extern "C" void onBrokenPipe(int) {}
+
 void handleWith(void (*handler)(int)) {
     struct sigaction action = {};
     action.sa_handler = handler;
@@ -29,10 +33,12 @@ void handleWith(void (*handler)(int)) {
 
 Interrupts::Interrupts() {
     handleWith(&onSignal);
+    signal(SIGPIPE, &onBrokenPipe);
 }
 
 Interrupts::~Interrupts() {
     handleWith(SIG_DFL);
+    signal(SIGPIPE, SIG_DFL);
 }
 
 Interrupts::Deferred::Deferred() {
