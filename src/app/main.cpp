@@ -5,10 +5,13 @@
 #include "rt/app/options.h"
 #include "rt/core/error.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -28,6 +31,23 @@ int run(const std::vector<std::string>& arguments) {
     return static_cast<int>(rt::ExitCode::kInternal);
 }
 
+/// Ends the process without allocating anything.
+[[noreturn]] void leave(rt::ExitCode code, std::string_view message) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
+    ::_exit(static_cast<int>(code));
+}
+
+/// What nobody could catch: libraries allocate in destructors, which may not throw.
+[[noreturn]] void onTerminate() {
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+        leave(rt::ExitCode::kLimit, "error: the system has no memory left\n");
+    } catch (...) {
+    }
+    leave(rt::ExitCode::kInternal, "error: internal error: terminated; please report it\n");
+}
+
 int runAndReport(int argc, char** argv) {
     try {
         return run({argv + 1, argv + argc});
@@ -35,8 +55,7 @@ int runAndReport(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.shown().c_str());
         return static_cast<int>(error.code());
     } catch (const std::bad_alloc&) {
-        std::fputs("error: out of memory\n", stderr);
-        return static_cast<int>(rt::ExitCode::kLimit);
+        leave(rt::ExitCode::kLimit, "error: the system has no memory left\n");
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: internal error: %s; please report it\n", error.what());
         return static_cast<int>(rt::ExitCode::kInternal);
@@ -46,5 +65,6 @@ int runAndReport(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_terminate(onTerminate);
     return rt::withRoomyStack([&] { return runAndReport(argc, argv); });
 }

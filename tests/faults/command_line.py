@@ -46,6 +46,8 @@ CASES = [
          r"warning: --crop.*\[-Wcrop\]", also=clipped),
     Case("A7", "missing scene", None, ("nothing.lua",), 1, r"nothing\.lua.*No such file"),
     Case("A7", "a folder as scene", None, ("d.lua",), 1, r"d\.lua.*folder", files={"d.lua/x": b""}),
+    Case("A7", "a current folder that is gone", BALL, (), 1, "current folder cannot be found", old=False,
+         command=lambda project, folder: ["sh", "-c", "mkdir d && cd d && rmdir ../d && exec '%s' '%s/scene.lua' -q" % (project, folder)]),
     Case("A7", "unreadable scene", BALL, (), 1, r"scene\.lua.*Permission denied",
          command=lambda project, folder: unreadable(project, folder)),
     Case("A8", "the second of three is bad", BALL, ("scene.lua", "bad.lua", "third.lua", *QUIET), 1, r"bad\.lua:1",

@@ -91,7 +91,7 @@ def put(folder, name, content):
 
 
 def whole_image(data):
-    return data.endswith(chunk(b"IEND", b"")) if data.startswith(b"\x89PNG") else len(data) > 0
+    return data.endswith(chunk(b"IEND", b"")) if data.startswith(b"\x89PNG") else data[:2] in (b"PF", b"II", b"v/", b"#?")
 
 
 def leftovers(folder):

@@ -94,7 +94,11 @@ void checkMesh(const TriangleMesh& mesh) {
     hold(inRange(mesh.uvCorners, mesh.uvs.size(), true), "corners' uvs are in range");
     hold(mesh.normalCorners.empty() || mesh.normalCorners.size() == mesh.triangles.size(),
          "every triangle has normals");
-    hold(std::all_of(mesh.normals.begin(), mesh.normals.end(), unit), "normals are unit vectors");
+    for (const TriangleMesh::Corners& corners : mesh.normalCorners) {
+        for (const Index corner : corners) {
+            hold(corner == kNone || unit(mesh.normals[corner]), "normals in use are unit vectors");
+        }
+    }
     for (const Vec3& p : mesh.positions) {
         hold(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), "vertices are finite");
     }

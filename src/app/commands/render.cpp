@@ -22,7 +22,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <limits>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,15 +113,25 @@ class Batch {
         } catch (const Interrupted&) {
             code = Interrupts::exitCode();
         } catch (const Error& error) {
-            progress_.abandon();
-            report(diagnostics);
-            progress_.message(error.shown());
-            if (options_.verbose && !error.details().empty()) progress_.message(error.details());
-            return static_cast<int>(error.code());
+            return failed(error, diagnostics);
+        } catch (const std::bad_alloc&) {
+            return failed(LimitError("the system has no memory left"), diagnostics);
+        } catch (const std::exception& error) {
+            const std::string words = std::string("internal error: ") + error.what();
+            return failed(Error(ExitCode::kInternal, {}, words + "; please report it"),
+                          diagnostics);
         }
         report(diagnostics);
         const bool strict = options_.werror && diagnostics.total() > 0;
         return code != 0 ? code : static_cast<int>(strict ? ExitCode::kScene : ExitCode::kDone);
+    }
+
+    int failed(const Error& error, const Diagnostics& diagnostics) {
+        progress_.abandon();
+        report(diagnostics);
+        progress_.message(error.shown());
+        if (options_.verbose && !error.details().empty()) progress_.message(error.details());
+        return static_cast<int>(error.code());
     }
 
     void runScene(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
