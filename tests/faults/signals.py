@@ -24,7 +24,7 @@ def sent(numbers, words, word="Threads", delay=0.3):
 def stopped(ids, name, number, words=SURE, script=SLOW, partial=True, old=True, **more):
     def check(run):
         there = os.path.exists(os.path.join(run.folder, "x.partial.png"))
-        if there != partial:
+        if partial is not None and there != partial:
             yield "x.partial.png is %s" % ("there" if there else "missing")
         if there and not whole_image(run.read("x.partial.png")):
             yield "half a partial image"
@@ -32,6 +32,12 @@ def stopped(ids, name, number, words=SURE, script=SLOW, partial=True, old=True, 
             yield "the older image is gone"
     return Case(ids, name, script, command=sent([number], words, **{k: more.pop(k) for k in ("word", "delay") if k in more}), code=128 + int(number),
                 also=check, says=more.pop("says", "x.partial.png" if partial else ()), **more)
+
+
+def saved(run):
+    whole = [name for name in ("x.png", "x.partial.png") if os.path.isfile(os.path.join(run.folder, name)) and run.read(name) != OLD]
+    if not whole or not whole_image(run.read(whole[0])):
+        yield "the image is lost"
 
 
 def grid(path):
@@ -71,6 +77,9 @@ CASES = [
               files={"m.obj": grid}, delay=delay) for delay in (0.1, 0.5, 1.0)],
     stopped("J4", "SIGINT while waiting for a FIFO to write to", signal.SIGINT, "scene.lua --spp 1 -o p", partial=False, files={"p": lambda path: os.mkfifo(path)}, delay=1.0,
             script=BALL),
+    *[Case("J4", "SIGTERM %g s after the last pixel" % delay, BALL, command=sent([signal.SIGTERM], "scene.lua --spp 1 --size 1600x1200", "100 %", delay),
+           code={0, 143}, also=saved) for delay in (0.0, 0.02, 0.05, 0.1)],
+    stopped("J4", "SIGTERM at once", signal.SIGTERM, delay=0.0, partial=None),
     Case("J5", "stopped and continued", SLOW, command=sent([signal.SIGTSTP, signal.SIGCONT, signal.SIGINT], SURE), code=130),
     *[limited("J7", "%d MB of addresses" % (value >> 20), resource.RLIMIT_AS, value, {0, 4}, heavy=True) for value in (64 << 20, 100 << 20, 128 << 20, 160 << 20, 200 << 20)],
     limited("J7", "too few addresses for the image", resource.RLIMIT_AS, 700 << 20, 4, "memory", "--size 8000x8000", heavy=True),

@@ -1,5 +1,7 @@
 #include "interrupts.h"
 
+#include "rt/output/atomic_file.h"
+
 #include <signal.h>
 #include <unistd.h>
 
@@ -13,7 +15,10 @@ std::atomic<bool> requestedFlag{false};
 std::atomic<int> firstSignal{0};
 
 extern "C" void onSignal(int signal) {
-    if (!deferring.load() || requestedFlag.exchange(true)) _exit(128 + signal);
+    if (!deferring.load() || requestedFlag.exchange(true)) {
+        abandonWrite();
+        _exit(128 + signal);
+    }
     firstSignal.store(signal);
 }
 

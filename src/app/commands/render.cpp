@@ -25,6 +25,7 @@
 #include <exception>
 #include <limits>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +33,7 @@
 namespace rt {
 namespace {
 
-/// A render was stopped by a signal, after its partial image was saved.
+/// A signal came while an image was rendered or saved; it is saved, in part or whole.
 struct Interrupted {};
 
 ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
@@ -162,7 +163,10 @@ class Batch {
         if (options_.explain) progress_.message(explanation(scene));
         if (options_.check) return;
 
+        std::optional<Interrupts::Deferred> deferred(std::in_place);
         const RenderOutcome outcome = rendered(scene, options);
+        // Nobody may be reading a pipe, while a file takes a moment and must not be lost.
+        if (isStream(output)) deferred.reset();
         warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
         RenderStats stats = statsOf(scene, options, outcome);
         warnIfNotConverged(stats, desc.renders[index], diagnostics);
@@ -173,7 +177,7 @@ class Batch {
         save(outcome, areaOf(scene), outcome.cancelled ? partialName(output) : output, options,
              stats);
         stats_.push_back(std::move(stats));
-        if (outcome.cancelled) throw Interrupted{};
+        if (Interrupts::exitCode() != 0) throw Interrupted{};
     }
 
     /// What can be known about an output before there is anything to write.
@@ -231,7 +235,6 @@ class Batch {
         job.cancel = &Interrupts::requested();
         job.onProgress = [this](double share) { progress_.update(share); };
         progress_.startImage();
-        const Interrupts::Deferred deferred;
         return render(scene, job);
     }
 
