@@ -16,6 +16,7 @@ namespace rt {
 namespace {
 
 constexpr std::string_view kNoMemory = "not enough memory";
+constexpr std::size_t kMostOfMessage = 4096;
 
 /// The part of an error text that can matter to a message, which is much shorter.
 std::string startOfText(lua_State* state, int index) {
@@ -104,12 +105,14 @@ SourceLocation takeLocation(const ScriptHost& host, std::string& text) {
     if (host.time.expired) throw LimitError(host.time.message, host.time.where);
     std::string text = host.failure.text;
     const SourceLocation where = takeLocation(host, text);
-    text = printable(text);
+    text = printable(text, kMostOfMessage - std::min(kMostOfMessage, where.prefix().size()));
     switch (host.failure.code) {
         case ExitCode::kScene:
             throw SceneError(text, where);
         case ExitCode::kLimit:
             throw LimitError(text, where);
+        case ExitCode::kOutput:
+            throw OutputError(text);
         default:
             throw Error(host.failure.code, where, text);
     }

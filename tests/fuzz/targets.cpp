@@ -125,7 +125,7 @@ void renderAll(const std::string& path) {
     Diagnostics diagnostics;
     ScriptSettings settings;
     settings.memoryLimit = std::size_t{64} << 20;
-    settings.timeLimit = 1.0;
+    settings.timeLimit = 0.2;
     settings.printToStderr = true;
     const SceneDesc scene = runScript(path, settings, diagnostics).scene;
     AssetCache assets(1);
