@@ -96,10 +96,10 @@ CASES = [
     image("I2", "a read-only file system", mounted("size=64k,ro", "$P ../scene.lua -q --spp 1 -o x.png"), code=3, says="error: .*x.png"),
     image("I3", "the name is a folder", sh("mkdir d.png && $R -o d.png"), code=3, says="error: .*d.png"),
     *[image("I4", "disk full, %s of %s" % (size, kind), mounted("size=" + size, old_is_whole("$P ../scene.lua -q --spp 1 -o x." + kind) if kind == "png" else
-            old_is_whole("$P ../scene.lua -q --spp 1 -o y." + kind)), script=NOISE, code=3, says="error: .*No space left|error: ")
+            old_is_whole("$P ../scene.lua -q --spp 1 -o y." + kind)), script=NOISE, code=3, says="error: .*cannot be written: No space left")
       for size, kind in (("4k", "png"), ("8k", "png"), ("40k", "png"), ("40k", "pfm"), ("40k", "exr"), ("40k", "tif"), ("40k", "hdr"))],
     image("I4", "disk full for --stats", mounted("size=4k", "head -c 4096 /dev/zero > fill; $P ../scene.lua -q --spp 1 -o /dev/null --stats s.json; c=$?; "
-          "[ -e s.json ] && exit 99; exit $c"), code=3, says="error: .*s.json|warning"),
+          "[ -e s.json ] && exit 99; exit $c"), code=3, says="error: .*s.json: cannot be written: No space left"),
     *[image("I5", "files of at most %d bytes" % size, sh("$R"), script=NOISE, code=3, says="error: .*x.png.*File too large", limits=[(FSIZE, size)]) for size in (0, 1, 4096, 20000)],
     image("I4 I6", "/dev/full", sh("$R -o /dev/full"), code=3, says="error: .*/dev/full.*No space left",
           also=stays("/dev/full is no device any more", lambda run: not os.path.isfile("/dev/full"))),
