@@ -3,10 +3,8 @@
 ELSEWHERE = {
     "G6": ("tests/image/image_test.cpp", "what is no colour becomes 0"),
     "G10": ("tests/image/image_faults_test.cpp", "without OpenImageIO the message says what to install"),
-    "H12": ("include/rt/core/numeric.h", "#ifdef __FAST_MATH__"),
     "J10": ("tests/core/parallel_test.cpp", "an exception in a worker comes back to the caller"),
     "J12": ("tools/test.sh", "rendering, thread-sanitized"),
-    "J13": ("include/rt/core/input_file.h", "always through read(2)"),
     "K6": ("tests/app/compare_test.cpp", "Sizes that differ, missing files and damaged ones are failed comparisons"),
     "K7": ("tests/golden/run.py", "TOLERANCE"),
     "K8": ("tests/app/compare_test.cpp", "Values that are not finite never pass"),

@@ -1,4 +1,6 @@
 """H: numbers while rendering."""
+import os
+
 from harness import BALL, Case, ROOT, SHOT, shot
 
 
@@ -24,6 +26,7 @@ def fine(ids, name, script, says=(), never=("error", "finite"), **more):
 
 MIRRORS = shot("for _, x in ipairs{-3, 2} do local b = gr.nh_box('b', {x, -9, -9}, {1, 18, 18}) b:set_reflection(0) root:add_child(b, white) end "
                "for _, z in ipairs{-9, 8} do local b = gr.nh_box('b', {-9, -9, z}, {18, 18, 1}) b:set_reflection(0) root:add_child(b, white) end")
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CASES = [
     fine("H1", "a radiance that is no number", BALL.replace("{0.7,0.7,0.7}, {1,0,0}", "{1e308,1e308,1e308}, {1e-300,0,0}"), r"warning: .*not finite.*\d+,\d+", ()),
     Case("H2", "units of 2^-20 and 2^20", "", command=two_scales, prints="RMSE", writes="x.png"),
@@ -37,4 +40,7 @@ CASES = [
     fine("H7", "a shininess without end", shot("root:add_child(gr.sphere('s'), gr.material({0,0,0}, {1e6,1e6,1e6}, 1e9))")),
     Case("H8", "a million samples", BALL.replace("8, 6", "1, 1"), ("scene.lua", "-q", "--spp", "300000"), writes="x.png", seconds=60),
     *[fine("H9", "torus " + radii, shot("root:add_child(gr.torus('t', %s), white)" % radii)) for radii in ("1, 1", "1, 1e-9", "1e-9, 1", "1, 5", "1e6, 1")],
+    Case("H12", "a compiler that is told to take numbers lightly", "", code=1, says="error: .*fast",
+         command=lambda project, folder: ["g++", "-std=c++20", "-ffast-math", "-fsyntax-only", "-x", "c++",
+                                          os.path.join(TOP, "include/rt/core/numeric.h")]),
 ]

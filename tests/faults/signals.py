@@ -94,6 +94,8 @@ CASES = [
          "ulimit -u 1; exec '%s' scene.lua -q --spp 1 -j 8 -o /dev/null" % project] if os.getuid() == 0 else skip("only root may become somebody else"), heavy=True),
     Case("J9", "one core", BALL, command=lambda project, folder: ["taskset", "-c", "0", project, "scene.lua", "--spp", "1"], also=counted, writes="x.png"),
     Case("J11", "the script's time is not the renderer's", SLOW, ("scene.lua", "-q", "--spp", "40", "--script-time", "0.2"), writes="x.png"),
+    *[Case("J13", "a mesh cut short after %g s of reading" % delay, meshed_by(SHOT), command=sh("$R & child=$!; sleep %g; truncate -s 1000 m.obj; wait $child" % delay),
+           code={0, 1}, files={"m.obj": grid}) for delay in (0.05, 0.3)],
     Case("J14", "1, 2, 3, 7 and 64 threads", SLOW, command=sh("for j in 1 2 3 7 64; do $P scene.lua -q --spp 2 -j $j -o $j.pfm; done; "
          "cmp 1.pfm 2.pfm && cmp 1.pfm 3.pfm && cmp 1.pfm 7.pfm && cmp 1.pfm 64.pfm && $R"), writes="x.png", seconds=60),
     Case("J15", "instruction sets masked", SLOW, command=sh("$P scene.lua -q --spp 2 -o a.pfm; GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA $P scene.lua -q --spp 2 -o b.pfm; "
