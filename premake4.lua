@@ -8,7 +8,11 @@
 newoption { trigger = "bench", description = "Also build the benchmarks (Google Benchmark, Embree)" }
 newoption { trigger = "clang", description = "Into build/clang-*; then `make CXX=clang++`" }
 
-local PREFIX = _OPTIONS["clang"] and "clang-" or ""
+newoption { trigger = "fuzz", description = "Into build/fuzz-*, with libFuzzer and clang (tools/fuzz.sh)" }
+
+local FUZZ = _OPTIONS["fuzz"] ~= nil
+local PREFIX = FUZZ and "fuzz-" or _OPTIONS["clang"] and "clang-" or ""
+local CLANG = PREFIX ~= ""
 
 local CONFIGURATIONS = {
   Release = "-O2 -g -DNDEBUG",
@@ -20,6 +24,9 @@ local LINK_FLAGS = {
   Sanitize = "-fsanitize=address,undefined",
   Threads = "-fsanitize=thread",
 }
+if FUZZ then
+  CONFIGURATIONS.Sanitize = CONFIGURATIONS.Sanitize .. " -fsanitize=fuzzer-no-link"
+end
 local WARNINGS = "-Wall -Wextra -Wshadow -Wconversion -Werror"
 -- No contraction: a product and a sum are fused where the source says so, on every processor alike.
 local COMMON = "-std=c++20 -ffp-contract=off -fPIC -pthread -DGLM_FORCE_INLINE " .. WARNINGS
@@ -30,7 +37,7 @@ local KERNELS = {
     .. "-mprefer-vector-width=256",
 }
 -- A "unique" symbol cannot be made local; only g++ makes any.
-local SEALABLE = _OPTIONS["clang"] and "" or " -fno-gnu-unique"
+local SEALABLE = CLANG and "" or " -fno-gnu-unique"
 local HOT = {
   "src/core/transform.cpp", "src/math/portable*.cpp", "src/geometry/*.cpp", "src/accel/*.cpp",
   "src/sampling/*.cpp", "src/shading/*.cpp", "src/trace/*.cpp",
@@ -173,8 +180,21 @@ project "tests"
   compile("tests", "-g1")
   includedirs { "tests", "src" }
   files { "tests/**_test.cpp", "tests/support/*.cpp", "tests/test_main.cpp" }
+  files { "tests/fuzz/targets.cpp", "tests/fuzz/scene_writer.cpp" }
   link_program()
   linkoptions { "-lquadmath" }
+
+if FUZZ then
+  for _, name in ipairs { "obj", "image", "scene", "script", "options" } do
+    project("fuzz_" .. name)
+      kind "ConsoleApp"
+      compile("fuzz_" .. name, "-DRT_FUZZ_TARGET=" .. name)
+      files { "tests/fuzz/*.cpp", "tests/fuzz/*.h" }
+      excludes { "tests/fuzz/*_test.cpp" }
+      link_program()
+      linkoptions { "-fsanitize=fuzzer" }
+  end
+end
 
 if _OPTIONS["bench"] then
   for _, path in ipairs(os.matchfiles("tests/bench/*_bench.cpp")) do

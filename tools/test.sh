@@ -32,6 +32,8 @@ check "sealed kernels" sh tests/architecture/sealed_kernels.sh
 check "unit and analytic tests" build/release/tests --minimal
 check "certified ray cases" python3 tests/vectors/check.py build/intersect
 check "the program from outside" python3 tests/end_to_end/run.py ./Project
+check "bad input and faults" python3 tests/faults/run.py ./Project
+check "failing allocations" python3 tests/faults/allocations.py ./Project --step 7
 check "golden images" ./Project golden tests/golden --report build/golden_report
 check "planted faults" python3 tests/golden/planted_faults.py ./Project
 check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
@@ -41,6 +43,8 @@ if [ "${1:-}" != --quick ]; then
     check "unit and analytic tests, sanitized" sanitized build/sanitize/tests --minimal
     check "the program from outside, sanitized" \
         sanitized python3 tests/end_to_end/run.py build/sanitize/Project
+    check "bad input and faults, sanitized" \
+        sanitized python3 tests/faults/run.py build/sanitize/Project
     check "build (thread sanitizer)" sh tools/build.sh threads Project
     check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
         build/threads/Project --only threads

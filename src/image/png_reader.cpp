@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <new>
 #include <utility>
 
 namespace rt {
 namespace {
 
-// lodepng's numbers for a failed decoder of ours, and for an image without pixels.
+// lodepng's numbers for a failed decoder of ours, an image without pixels, and lack of memory.
 constexpr unsigned kZlibFailed = 110;
 constexpr unsigned kNoPixels = 93;
+constexpr unsigned kOutOfMemory = 83;
 
 /// Upper bound on the filtered bytes of all rows. Interlaced images have up to 15/8 rows a row of
 /// pixels and 7 more, each with a filter byte and an incomplete byte.
@@ -21,10 +23,16 @@ std::size_t filteredSize(std::size_t width, std::size_t height, std::size_t bits
 }
 
 /// zlib's own inflate in place of lodepng's: it is faster, and it stops at `max_output_size`.
+/// lodepng keeps to itself why it failed: the settings' context is a bool, whether it was for lack
+/// of memory.
 unsigned inflateBounded(unsigned char** out, std::size_t* outSize, const unsigned char* in,
                         std::size_t inSize, const LodePNGDecompressSettings* settings) {
+    const auto failed = [settings](bool outOfMemory) {
+        *static_cast<bool*>(const_cast<void*>(settings->custom_context)) = outOfMemory;
+        return kZlibFailed;
+    };
     z_stream stream{};
-    if (::inflateInit(&stream) != Z_OK) return kZlibFailed;
+    if (::inflateInit(&stream) != Z_OK) return failed(true);
     const std::size_t most = settings->max_output_size;
     std::size_t capacity = std::min(most, std::max<std::size_t>(4 * inSize, 1 << 16));
     unsigned char* buffer = static_cast<unsigned char*>(std::malloc(capacity));
@@ -51,7 +59,7 @@ unsigned inflateBounded(unsigned char** out, std::size_t* outSize, const unsigne
     ::inflateEnd(&stream);
     *out = buffer;
     *outSize = filled;
-    return status == Z_STREAM_END ? 0 : kZlibFailed;
+    return status == Z_STREAM_END ? 0 : failed(status == Z_MEM_ERROR);
 }
 
 std::string wordsOf(unsigned error) {
@@ -60,6 +68,7 @@ std::string wordsOf(unsigned error) {
 }
 
 [[noreturn]] void fail(const std::string& path, unsigned error) {
+    if (error == kOutOfMemory) throw std::bad_alloc();
     throw SceneError("damaged PNG: " + wordsOf(error), {path, 0});
 }
 
@@ -88,13 +97,15 @@ Image readPng(std::span<const std::uint8_t> bytes, const std::string& path,
     state.info_raw.colortype = grey ? LCT_GREY : LCT_RGB;
     state.info_raw.bitdepth = color.bitdepth == 16 ? 16 : 8;
     state.decoder.read_text_chunks = 0;
+    bool outOfMemory = false;
     state.decoder.zlibsettings.custom_zlib = inflateBounded;
+    state.decoder.zlibsettings.custom_context = &outOfMemory;
     state.decoder.zlibsettings.max_output_size =
         filteredSize(width, height, lodepng_get_bpp(&color));
 
     std::vector<unsigned char> raw;
     error = lodepng::decode(raw, width, height, state, bytes.data(), bytes.size());
-    if (error != 0) fail(path, error);
+    if (error != 0) fail(path, outOfMemory ? kOutOfMemory : error);
     Image image{static_cast<int>(width), static_cast<int>(height), grey ? 1 : 3, {}};
     if (state.info_raw.bitdepth == 16) {
         image.samples = wide(raw);

@@ -12,18 +12,24 @@
 namespace rt {
 namespace {
 
+constexpr unsigned kOutOfMemory = 83;
+
 /// zlib in place of lodepng's own compressor, which takes five times as long. Run lengths alone
 /// after the Paeth filter: rendered images hold noise, in which a search for longer matches finds
-/// nothing, and flat areas, which are runs. Signature and result codes are lodepng's.
+/// nothing, and flat areas, which are runs. Signature and result codes are lodepng's, which keeps
+/// to itself why this failed: the settings' context is a bool, whether it was for lack of memory.
 unsigned deflateRuns(unsigned char** out, std::size_t* outSize, const unsigned char* in,
-                     std::size_t inSize, const LodePNGCompressSettings*) {
-    constexpr unsigned kOutOfMemory = 83;
+                     std::size_t inSize, const LodePNGCompressSettings* settings) {
     constexpr unsigned kFailed = 111;
     constexpr int kLargestWindow = 15;
     constexpr int kMemoryLevel = 8;
     z_stream stream{};
-    if (deflateInit2(&stream, 1, Z_DEFLATED, kLargestWindow, kMemoryLevel, Z_RLE) != Z_OK) {
+    const auto outOfMemory = [settings] {
+        *static_cast<bool*>(const_cast<void*>(settings->custom_context)) = true;
         return kOutOfMemory;
+    };
+    if (deflateInit2(&stream, 1, Z_DEFLATED, kLargestWindow, kMemoryLevel, Z_RLE) != Z_OK) {
+        return outOfMemory();
     }
     const uLong bound = deflateBound(&stream, inSize);
     *out = static_cast<unsigned char*>(std::malloc(bound));
@@ -34,13 +40,13 @@ unsigned deflateRuns(unsigned char** out, std::size_t* outSize, const unsigned c
     const int result = *out ? deflate(&stream, Z_FINISH) : Z_MEM_ERROR;
     *outSize = stream.total_out;
     deflateEnd(&stream);
-    if (result == Z_MEM_ERROR) return kOutOfMemory;
+    if (result == Z_MEM_ERROR) return outOfMemory();
     return result == Z_STREAM_END ? 0 : kFailed;
 }
 
 void refuse(unsigned error) {
     if (error == 0) return;
-    if (error == 83) throw std::bad_alloc();
+    if (error == kOutOfMemory) throw std::bad_alloc();
     throw OutputError(std::string("the image cannot be encoded as PNG: ") +
                       lodepng_error_text(error));
 }
@@ -49,12 +55,18 @@ bool isAscii(const std::string& text) {
     return std::all_of(text.begin(), text.end(), [](char c) { return c >= 32 && c < 127; });
 }
 
-/// tEXt is Latin-1, so what is not plain ASCII goes into iTXt, which is UTF-8.
-void addText(LodePNGInfo& info, const ImageMetadata& metadata) {
-    for (const auto& [keyword, text] : metadataEntries(metadata)) {
-        refuse(isAscii(text) ? lodepng_add_text(&info, keyword.c_str(), text.c_str())
-                             : lodepng_add_itext(&info, keyword.c_str(), "", "", text.c_str()));
-    }
+/// A text as a chunk: tEXt is Latin-1, so what is not plain ASCII goes into iTXt, which is UTF-8.
+/// lodepng's own calls for texts do not see that memory is missing.
+void addText(LodePNGInfo& info, const std::string& keyword, const std::string& text) {
+    const bool plain = isAscii(text);
+    std::string content = keyword + '\0';
+    if (!plain) content.append(4, '\0');  // not compressed; no language, no translated keyword
+    content += text;
+    constexpr int kBeforeEnd = 2;
+    refuse(lodepng_chunk_create(&info.unknown_chunks_data[kBeforeEnd],
+                                &info.unknown_chunks_size[kBeforeEnd],
+                                static_cast<unsigned>(content.size()), plain ? "tEXt" : "iTXt",
+                                reinterpret_cast<const unsigned char*>(content.data())));
 }
 
 /// Two bytes for each channel, the higher first, as PNG wants them.
@@ -81,19 +93,23 @@ std::vector<std::uint8_t> encodePng(const PixelImage& image, const ImageSettings
     state.encoder.auto_convert = 0;
     state.encoder.filter_palette_zero = 0;
     state.encoder.filter_strategy = LFS_FOUR;
-    state.encoder.text_compression = 0;
+    bool outOfMemory = false;
     state.encoder.zlibsettings.custom_zlib = deflateRuns;
+    state.encoder.zlibsettings.custom_context = &outOfMemory;
     if (settings.transfer == Transfer::kSrgb) {
         state.info_png.srgb_defined = 1;
         state.info_png.srgb_intent = 0;
     }
-    addText(state.info_png, metadata);
+    for (const auto& [keyword, text] : metadataEntries(metadata)) {
+        addText(state.info_png, keyword, text);
+    }
     const std::vector<std::uint8_t> raw = settings.bits == 16
                                               ? bigEndian(quantized16(image, settings.transfer))
                                               : quantized8(image, settings.transfer);
     std::vector<std::uint8_t> bytes;
-    refuse(lodepng::encode(bytes, raw, static_cast<unsigned>(image.width),
-                           static_cast<unsigned>(image.height), state));
+    const unsigned error = lodepng::encode(bytes, raw, static_cast<unsigned>(image.width),
+                                           static_cast<unsigned>(image.height), state);
+    refuse(outOfMemory ? kOutOfMemory : error);
     return bytes;
 }
 

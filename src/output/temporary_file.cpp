@@ -1,6 +1,7 @@
 #include "temporary_file.h"
 
 #include "rt/core/error.h"
+#include "rt/output/atomic_file.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -23,6 +24,9 @@ constexpr const char* kMark = ".tmp-";
 
 // Room for the mark, a process number and a counter of up to 10 digits each.
 constexpr std::size_t kSuffixRoom = 26;
+
+/// Name of the temporary file that is there, or null; files are written one after another.
+std::atomic<const char*> present{nullptr};
 
 /// Of a name, the part that its temporaries begin with: whole characters of UTF-8 only.
 std::string stemOf(const std::string& name) {
@@ -104,6 +108,11 @@ TemporaryFile::TemporaryFile(const std::string& target) : target_(target), descr
 
 TemporaryFile::~TemporaryFile() {
     if (!renamed_) ::unlink(path_.c_str());
+    present.store(nullptr);
+}
+
+void abandonWrite() noexcept {
+    if (const char* const path = present.load()) ::unlink(path);
 }
 
 int TemporaryFile::create() {
@@ -120,6 +129,7 @@ int TemporaryFile::create() {
         // no name left.
         struct stat status {};
         if (::flock(file, LOCK_EX) != 0 || ::fstat(file, &status) != 0 || status.st_nlink > 0) {
+            present.store(path_.c_str());
             return file;
         }
         ::close(file);

@@ -191,6 +191,8 @@ std::vector<Adaptive::Work> Adaptive::openWork(const AdaptiveGoal& goal) const {
     std::vector<Work> work;
     for (const std::size_t i : sampled_) {
         const double error = pixelError_[i];
+        // Those found wrong a moment ago have no samples yet, and get their first ones anyway.
+        if (film_.pixels[i].samples < goal.firstSamples) continue;
         const int steps = stepsFrom(film_.pixels[i].samples);
         if (steps == 0) continue;
         work.push_back({Work::Kind::kPixel, i, error, error + doubtOf(i),

@@ -10,6 +10,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <new>
 
@@ -106,8 +107,12 @@ class PipeSignalBlock {
     bool wasPending_ = false;
 };
 
-/// An error outside of every protected call is a fault of this program.
-int panic(lua_State*) {
+/// An error outside of every protected call is a fault of this program, but for lack of memory.
+int panic(lua_State* state) {
+    const char* const text = lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1) : "";
+    if (std::strcmp(text, "not enough memory") == 0) {
+        endProcess(ExitCode::kLimit, "error: the system has no memory left for the script\n");
+    }
     endProcess(ExitCode::kInternal, "error: internal error: unprotected error in Lua\n");
 }
 

@@ -61,6 +61,8 @@ void* MemoryBudget::allocate(void* budget, void* block, std::size_t oldSize,
     }
     const bool tooMuch = newSize > oldSize && !self.hasRoomFor(newSize - oldSize);
     void* grown = tooMuch && !self.suspended_ ? nullptr : self.grow(block, newSize, kind);
+    // Lua takes it that a block can always shrink.
+    if (grown == nullptr && block != nullptr && newSize <= oldSize) grown = block;
     if (grown == nullptr) {
         self.refuse();
         return nullptr;

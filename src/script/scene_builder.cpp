@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <new>
+#include <system_error>
 
 namespace rt {
 
@@ -31,6 +33,14 @@ std::size_t bytesOf(const NodeState& state) {
     return sizeof(NodeState) + state.children.size() * sizeof(EdgeDesc);
 }
 
+std::filesystem::path currentFolder() {
+    std::error_code failure;
+    std::filesystem::path folder = std::filesystem::current_path(failure);
+    if (failure == std::errc::not_enough_memory) throw std::bad_alloc();
+    if (failure) throw SceneError("the current folder cannot be found: " + failure.message());
+    return folder;
+}
+
 }  // namespace
 
 const char* objectKindName(ObjectKind kind) {
@@ -41,7 +51,7 @@ SceneBuilder::SceneBuilder(const std::string& name, const std::string& folder,
                            const ScriptSettings& settings, Diagnostics& diagnostics)
     : settings_(settings),
       diagnostics_(diagnostics),
-      search_(std::filesystem::current_path(), folder, settings.trust),
+      search_(currentFolder(), folder, settings.trust),
       ancestry_(scene_.nodes) {
     scene_.name = name;
     scene_.folder = folder;

@@ -6,6 +6,9 @@
 #include "rt/core/diagnostics.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +16,7 @@ namespace rt {
 namespace {
 
 constexpr std::string_view kNoMemory = "not enough memory";
+constexpr std::size_t kMostOfMessage = 4096;
 
 /// The part of an error text that can matter to a message, which is much shorter.
 std::string startOfText(lua_State* state, int index) {
@@ -83,18 +87,34 @@ int noteFailureSafely(lua_State* state) {
     return 1;
 }
 
+/// Takes "scene.lua:12: ", the line of a loaded file, from the front of a message.
+SourceLocation takeLocation(const ScriptHost& host, std::string& text) {
+    for (const std::string& chunk : host.chunks) {
+        if (!startsWithLine(text, chunk)) continue;
+        const char* const digits = text.c_str() + chunk.size() + 1;
+        char* end = nullptr;
+        const long line = std::strtol(digits, &end, 10);
+        if (std::strncmp(end, ": ", 2) != 0 || line > std::numeric_limits<int>::max()) continue;
+        text.erase(0, static_cast<std::size_t>(end + 2 - text.c_str()));
+        return {printable(chunk), static_cast<int>(line)};
+    }
+    return {};
+}
+
 [[noreturn]] void throwFailure(const ScriptHost& host) {
     if (host.time.expired) throw LimitError(host.time.message, host.time.where);
-    const std::string text = printable(host.failure.text);
+    std::string text = host.failure.text;
+    const SourceLocation where = takeLocation(host, text);
+    text = printable(text, kMostOfMessage - std::min(kMostOfMessage, where.prefix().size()));
     switch (host.failure.code) {
         case ExitCode::kScene:
-            throw SceneError(text);
+            throw SceneError(text, where);
         case ExitCode::kLimit:
-            throw LimitError(text);
+            throw LimitError(text, where);
         case ExitCode::kOutput:
             throw OutputError(text);
         default:
-            throw Error(host.failure.code, {}, text);
+            throw Error(host.failure.code, where, text);
     }
 }
 

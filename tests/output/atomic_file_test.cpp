@@ -1,5 +1,6 @@
 #include "rt/output/atomic_file.h"
 
+#include "output/temporary_file.h"
 #include "rt/core/error.h"
 
 #include <doctest/doctest.h>
@@ -101,6 +102,18 @@ int inChild(const std::function<int()>& act) {
 }
 
 }  // namespace
+
+TEST_CASE(
+    "A write that is abandoned leaves nothing, and abandoning when none goes on does nothing") {
+    const Folder folder;
+    {
+        const TemporaryFile file(folder / "x.png");
+        CHECK(folder.entries() == 1);
+        abandonWrite();
+        CHECK(folder.entries() == 0);
+    }
+    abandonWrite();
+}
 
 TEST_CASE("A file is written, and replaced, with the bytes given and nothing beside it") {
     const Folder folder;

@@ -262,6 +262,9 @@ TEST_CASE(
     AdaptivePass pass = adaptive.first(goal.firstSamples);
     CHECK(pass.pixels[wrong] == goal.firstSamples);
     CHECK(pass.more == goal.firstSamples);
+    // The same where the audit falls between two later passes.
+    pass = adaptive.next(goal);
+    CHECK(pass.pixels[wrong] == goal.firstSamples);
     film.pixels[wrong] = {Color(4 * 0.7), Color(2 * 0.7), 4};
     adaptive.update();
     // A quarter of 0.6^2 for the missed, of 0.5^2 for each of eight neighbours.

@@ -53,6 +53,7 @@ class CageFolder {
 struct Outcome {
     int code = 0;
     std::string message;
+    std::string shown;  ///< the message as a user sees it
     std::string traceback;
     std::string told;  ///< what the script gave to tell(...): by spaces, calls by lines
     std::vector<std::string> files;
@@ -83,6 +84,7 @@ inline Outcome outcomeOf(const SandboxSettings& settings, const LuaLimits& limit
         } catch (const Error& error) {
             outcome.code = static_cast<int>(error.code());
             outcome.message = error.what();
+            outcome.shown = error.shown();
         }
         outcome.traceback = state.traceback();
         outcome.files = filesRead(state.get());

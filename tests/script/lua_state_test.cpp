@@ -204,6 +204,16 @@ TEST_CASE("Long names are given in full, though Lua shortens them") {
     CHECK(runFileIn(folder, name).message.starts_with(folder.file(name) + ":2: <name> expected"));
 }
 
+TEST_CASE("What a user sees begins with the line, however the error was raised") {
+    const CageFolder folder;
+    folder.write("scene.lua", "\nerror('x')");
+    CHECK(runFileIn(folder, "scene.lua").shown == folder.file("scene.lua") + ":2: error: x");
+    CHECK(runCaged("x = = 1").shown.starts_with("scene.lua:1: error: unexpected symbol"));
+    CHECK(runCaged("\n\nos.exit()").shown.starts_with("scene.lua:3: error: os.exit is not"));
+    CHECK(runCaged("error('x', 0)").shown.ends_with("error: x"));
+    CHECK(runCaged("error('other.lua:7: x', 0)").shown.ends_with("error: other.lua:7: x"));
+}
+
 TEST_CASE("Messages are printable and short") {
     const Outcome escape = runCaged("error('\\27[31mred\\0\\255')");
     CHECK(escape.message == "scene.lua:1: \\x1b[31mred\\x00\\xff");

@@ -21,6 +21,10 @@ namespace rt {
 /// is then untouched. Throws UsageError for a terminal.
 std::string writeFile(const std::string& path, std::span<const std::uint8_t> bytes);
 
+/// Removes the temporary file of a write that goes on, if any: for a signal handler that is about
+/// to end the process.
+void abandonWrite() noexcept;
+
 /// Throws as `writeFile` would, as far as can be known before there is anything to write: makes
 /// missing folders, tries the folder, respects a file that is write protected or immutable.
 void checkWritable(const std::string& path);

@@ -25,7 +25,7 @@ struct PixelShare {
 /// cells. With `least` = n all of n samples have cells of about their share, with 1 the first ones
 /// have larger ones.
 inline PixelShare pixelShare(std::uint32_t index, std::uint32_t least, const Vec2& point) {
-    const int m = std::bit_width(std::max({index, least, std::uint32_t{1}})) - 1;
+    const int m = static_cast<int>(std::bit_width(std::max({index, least, std::uint32_t{1}}))) - 1;
     const Vec2 cells(static_cast<double>(1u << (m / 2)), static_cast<double>(1u << ((m + 1) / 2)));
     const Vec2 place = point * cells;
     return {1.0 / cells, Vec2(place.x - std::floor(place.x), place.y - std::floor(place.y))};

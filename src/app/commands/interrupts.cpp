@@ -1,5 +1,7 @@
 #include "interrupts.h"
 
+#include "rt/output/atomic_file.h"
+
 #include <signal.h>
 #include <unistd.h>
 
@@ -13,9 +15,16 @@ std::atomic<bool> requestedFlag{false};
 std::atomic<int> firstSignal{0};
 
 extern "C" void onSignal(int signal) {
-    if (!deferring.load() || requestedFlag.exchange(true)) _exit(128 + signal);
+    if (!deferring.load() || requestedFlag.exchange(true)) {
+        abandonWrite();
+        _exit(128 + signal);
+    }
     firstSignal.store(signal);
 }
+
+/// A reader that goes is an error of the write. Not ignored, which programs that a script starts
+/// would inherit.
+extern "C" void onBrokenPipe(int) {}
 
 void handleWith(void (*handler)(int)) {
     struct sigaction action = {};
@@ -29,10 +38,12 @@ void handleWith(void (*handler)(int)) {
 
 Interrupts::Interrupts() {
     handleWith(&onSignal);
+    signal(SIGPIPE, &onBrokenPipe);
 }
 
 Interrupts::~Interrupts() {
     handleWith(SIG_DFL);
+    signal(SIGPIPE, SIG_DFL);
 }
 
 Interrupts::Deferred::Deferred() {

@@ -6,7 +6,8 @@
 namespace rt {
 
 /// While one lives, SIGINT, SIGTERM and SIGHUP leave at once with 128 + their number, unless there
-/// is an image to save: then the first only sets a flag, and the second leaves.
+/// is an image to save: then the first only sets a flag, and the second leaves. Nobody reading the
+/// messages any more costs no image.
 class Interrupts {
   public:
     Interrupts();

@@ -11,6 +11,9 @@
 #include "scene_report.h"
 
 #include <cstdio>
+#include <exception>
+#include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +21,7 @@
 namespace rt {
 namespace {
 
-/// A render was stopped by a signal, after its partial image was saved.
+/// A signal came while an image was rendered or saved; it is saved, in part or whole.
 struct Interrupted {};
 
 /// "name.partial.png", for an image that is not finished; a stream stays what it is.
@@ -65,15 +68,25 @@ class Batch {
         } catch (const Interrupted&) {
             code = Interrupts::exitCode();
         } catch (const Error& error) {
-            progress_.abandon();
-            report(diagnostics);
-            progress_.message(error.shown());
-            if (options_.verbose && !error.details().empty()) progress_.message(error.details());
-            return static_cast<int>(error.code());
+            return failed(error, diagnostics);
+        } catch (const std::bad_alloc&) {
+            return failed(LimitError("the system has no memory left"), diagnostics);
+        } catch (const std::exception& error) {
+            const std::string words = std::string("internal error: ") + error.what();
+            return failed(Error(ExitCode::kInternal, {}, words + "; please report it"),
+                          diagnostics);
         }
         report(diagnostics);
         const bool strict = options_.werror && diagnostics.total() > 0;
         return code != 0 ? code : static_cast<int>(strict ? ExitCode::kScene : ExitCode::kDone);
+    }
+
+    int failed(const Error& error, const Diagnostics& diagnostics) {
+        progress_.abandon();
+        report(diagnostics);
+        progress_.message(error.shown());
+        if (options_.verbose && !error.details().empty()) progress_.message(error.details());
+        return static_cast<int>(error.code());
     }
 
     void runScene(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
@@ -95,19 +108,21 @@ class Batch {
         if (options_.explain) progress_.message(explanation(prepared.scene));
         if (options_.check) return;
 
+        std::optional<Interrupts::Deferred> deferred(std::in_place);
         Picture picture = rendered(desc, index, prepared, diagnostics);
+        // Nobody may be reading a pipe, while a file takes a moment and must not be lost.
+        if (isStream(output)) deferred.reset();
         picture.stats.output = output;
         picture.stats.warnings = diagnostics.total();
         save(picture, picture.cancelled ? partialName(output) : output);
         stats_.push_back(std::move(picture.stats));
-        if (picture.cancelled) throw Interrupted{};
+        if (Interrupts::exitCode() != 0) throw Interrupted{};
     }
 
     Picture rendered(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                      Diagnostics& diagnostics) {
         progress_.startImage();
         const auto onProgress = [this](double share) { progress_.update(share); };
-        const Interrupts::Deferred deferred;
         return renderer_.render(desc, index, prepared, onProgress, diagnostics);
     }
 

@@ -208,7 +208,6 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.kernel = &kernel_;
     job.cancel = &Interrupts::requested();
     job.onProgress = std::move(onProgress);
-    const Interrupts::Deferred deferred;
     return rt::render(scene, job);
 }
 

@@ -1,0 +1,174 @@
+#include "scene_writer.h"
+
+#include <cstdio>
+
+namespace rt::fuzz {
+namespace {
+
+constexpr const char* kOddValues[] = {
+    "0",   "-1", "1e-300", "1e300", "0/0",  "math.huge", "-math.huge", "nil",  "'word'",
+    "'3'", "{}", "true",   "1e15",  "2^53", "-0.0",      "print",      "n[1]", "m[1]",
+};
+constexpr const char* kAxes[] = {"'x'", "'y'", "'z'", "'Z'"};
+constexpr std::size_t kMostStatements = 64;
+
+// The calls go through `try`, so that one that fails leaves the rest to be tried.
+constexpr const char* kPrologue =
+    "local n, m, l = {}, {}, {}\n"
+    "local function try(f, ...) local ok, v = pcall(f, ...) if ok then return v end end\n"
+    "n[1] = gr.node('root')\n"
+    "m[1] = gr.material({0.6, 0.5, 0.4}, {0.3, 0.3, 0.3}, 20)\n"
+    "l[1] = gr.light({3, 5, 6}, {0.8, 0.8, 0.8}, {1, 0, 0})\n";
+
+}  // namespace
+
+std::uint8_t SceneWriter::byte() {
+    return next_ < bytes_.size() ? bytes_[next_++] : std::uint8_t{0};
+}
+
+std::string SceneWriter::oneOf(std::span<const char* const> words) {
+    return words[below(words.size())];
+}
+
+std::string SceneWriter::number(double low, double high) {
+    const std::uint8_t choice = byte();
+    if (choice >= 240) return oneOf(kOddValues);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", low + (high - low) * (choice / 239.0));
+    return text;
+}
+
+std::string SceneWriter::vector(double low, double high) {
+    const std::string x = number(low, high);
+    const std::string y = number(low, high);
+    return "{" + x + ", " + y + ", " + number(low, high) + "}";
+}
+
+std::string SceneWriter::node() {
+    switch (below(14)) {
+        case 0:
+            return "gr.node, 'group'";
+        case 1:
+            return "gr.joint, 'joint', " + vector(-90, 90) + ", " + vector(-90, 90);
+        case 2:
+            return "gr.sphere, 's'";
+        case 3:
+            return "gr.cube, 's'";
+        case 4:
+            return "gr.cylinder, 's'";
+        case 5:
+            return "gr.cone, 's'";
+        case 6: {
+            const std::string radius = number(0, 2);
+            return "gr.torus, 's', " + radius + ", " + number(0, 2);
+        }
+        case 7: {
+            const std::string centre = vector(-3, 3);
+            return "gr.nh_sphere, 's', " + centre + ", " + number(0, 2);
+        }
+        case 8: {
+            const std::string corner = vector(-3, 3);
+            return "gr.nh_box, 's', " + corner + ", " +
+                   (below(2) == 0 ? number(0, 3) : vector(0, 3));
+        }
+        case 9:
+        case 10: {
+            const std::string kind = below(2) == 0 ? "gr.nh_cylinder" : "gr.nh_cone";
+            const std::string base = vector(-3, 3);
+            const std::string height = number(0, 3);
+            return kind + ", 's', " + base + ", " + height + ", " + number(0, 2);
+        }
+        case 11: {
+            const std::string centre = vector(-3, 3);
+            const std::string radius = number(0, 2);
+            return "gr.nh_torus, 's', " + centre + ", " + radius + ", " + number(0, 2);
+        }
+        default: {
+            std::string corners = vector(-2, 2);
+            const std::size_t count = 2 + below(4);
+            for (std::size_t i = 0; i < count; ++i) corners += ", " + vector(-2, 2);
+            std::string faces = "{0, 1, 2}";
+            if (count > 2) faces += ", {1, " + number(0, 3) + ", 3, 0}";
+            return "gr.mesh, 's', {" + corners + "}, {" + faces + "}";
+        }
+    }
+}
+
+std::string SceneWriter::appearance() {
+    const std::string diffuse = vector(0, 1);
+    const std::string specular = vector(0, 1);
+    return "gr.material, " + diffuse + ", " + specular + ", " + number(0, 100);
+}
+
+std::string SceneWriter::change() {
+    const std::string of = ", " + name('n');
+    switch (below(8)) {
+        case 0:
+            return "gr.translate" + of + ", " + number(-3, 3) + ", " + number(-3, 3) + ", 0";
+        case 1: {
+            const std::string factor = number(0.1, 3);
+            return "gr.scale" + of + ", " + factor + ", " + factor + ", " + number(-2, 2);
+        }
+        case 2:
+            return "gr.rotate" + of + ", " + oneOf(kAxes) + ", " + number(-180, 180);
+        case 3:
+            return "gr.set_material" + of + ", " + name('m');
+        case 4:
+            return "gr.set_reflection" + of + ", " + number(0, 1);
+        case 5:
+            return "gr.set_refraction" + of + ", " + number(1, 2) + ", " + number(0, 1);
+        case 6:
+            return "gr.set_fresnel" + of + ", true";
+        default:
+            return "gr.add_child" + of + ", " + name('n') + ", " + name('m');
+    }
+}
+
+std::string SceneWriter::render() {
+    const std::string eye = "{" + number(-1, 1) + ", " + number(-1, 1) + ", " + number(2, 9) + "}";
+    const std::string ambient = vector(0, 0.5);
+    const std::string focal =
+        below(4) == 0 ? "try(gr.focal, " + number(1, 9) + ", 0.1, " + number(0, 0.5) + ")" : "nil";
+    return "try(gr.render, n[1], 'x.png', 6, 5, " + eye + ", {0, 0, -1}, {0, 1, 0}, " +
+           number(10, 90) + ", " + ambient + ", l, " + focal + ")\n";
+}
+
+std::string SceneWriter::statement() {
+    switch (below(8)) {
+        case 0:
+        case 1: {
+            const std::string to = name('n');
+            const std::string appearance = name('m');
+            return "try(gr.add_child, n[1], " + to + ", " + appearance + ")\n";
+        }
+        case 2: {
+            const std::string to = name('n');
+            return to + " = try(" + node() + ") or " + to + "\n";
+        }
+        case 3: {
+            const std::string to = name('m');
+            return to + " = try(" + appearance() + ") or " + to + "\n";
+        }
+        case 4: {
+            const std::string to = name('l');
+            const std::string place = vector(-9, 9);
+            const std::string intensity = vector(0, 1);
+            const std::string falloff = vector(0, 1);
+            return to + " = try(gr.light, " + place + ", " + intensity + ", " + falloff + ", " +
+                   number(0, 2) + ", " + number(0, 0.3) + ") or " + to + "\n";
+        }
+        case 5:
+            return below(8) == 0 ? "try(gr.background, " + vector(0, 1) + ")\n"
+                                 : "try(" + change() + ")\n";
+        default:
+            return "try(" + change() + ")\n";
+    }
+}
+
+std::string SceneWriter::script() {
+    std::string text = kPrologue;
+    for (std::size_t i = 0; i < kMostStatements && next_ < bytes_.size(); ++i) text += statement();
+    return text + render();
+}
+
+}  // namespace rt::fuzz
