@@ -145,9 +145,7 @@ void Adaptive::listPlaces() {
 
 /// What the contrast to the neighbours says that a sampled pixel might have missed.
 double Adaptive::doubtOf(std::size_t pixel) const {
-    const auto width = static_cast<std::size_t>(film_.area.width());
-    const int x = film_.area.x0 + static_cast<int>(pixel % width);
-    const int y = film_.area.y0 + static_cast<int>(pixel / width);
+    const auto [x, y] = film_.area.placeOf(pixel);
     Color low(kInfinity);
     Color high(-kInfinity);
     forNeighbourhood(film_.area, x, y, [&](int u, int v) {

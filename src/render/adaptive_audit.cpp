@@ -95,8 +95,7 @@ void Adaptive::judgeAudit(const std::vector<Probe>& centres, double squaredTarge
         const std::size_t pixel = audited_[i];
         const Color expected = colorOf(pixel);
         const double squared = meanSquare(clipped(Color(centres[i].mean())) - clipped(expected));
-        const int x = film_.area.x0 + static_cast<int>(pixel % width_);
-        const int y = film_.area.y0 + static_cast<int>(pixel / width_);
+        const auto [x, y] = film_.area.placeOf(pixel);
         if (squared <= std::max(slopeAt(x, y, expected), kNoMatter * squaredTarget)) continue;
         missed += squared;
         spreading_.push_back({pixel, expected});
@@ -127,8 +126,7 @@ void Adaptive::spreadSuspicion() {
         const double squared = meanSquare(clipped(pixel.mean()) - clipped(from.expected));
         if (squared <= kNoMatter * squaredTarget_) continue;
         suspicion_.resize(kind_.size());
-        const int x = film_.area.x0 + static_cast<int>(from.pixel % width_);
-        const int y = film_.area.y0 + static_cast<int>(from.pixel / width_);
+        const auto [x, y] = film_.area.placeOf(from.pixel);
         forNeighbourhood(film_.area, x, y, [&](int u, int v) {
             const std::size_t neighbour = film_.offset(u, v);
             if (!isSmooth(neighbour)) return;

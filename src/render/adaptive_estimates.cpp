@@ -39,10 +39,8 @@ void Adaptive::updateCorners() {
         cornerEvidence_[i].error = halvesApart(probe.sum, probe.half, probe.samples);
         changed_.push_back(i);
     }
-    const std::size_t stride = lattice_->stride();
     for (const std::size_t i : changed_) {
-        const int x = lattice_->corners.x0 + static_cast<int>(i % stride);
-        const int y = lattice_->corners.y0 + static_cast<int>(i / stride);
+        const auto [x, y] = lattice_->corners.placeOf(i);
         forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
             const std::size_t j = lattice_->offset(u, v);
             if (!lattice_->probes[j].has(kProbeUncertain)) return;
@@ -52,12 +50,10 @@ void Adaptive::updateCorners() {
 }
 
 void Adaptive::updateVariance(std::size_t corner) {
-    const std::size_t stride = lattice_->stride();
     const auto samples = static_cast<double>(cornerEvidence_[corner].samples);
     double sum = 0.0;
     double count = 0.0;
-    const int x = lattice_->corners.x0 + static_cast<int>(corner % stride);
-    const int y = lattice_->corners.y0 + static_cast<int>(corner / stride);
+    const auto [x, y] = lattice_->corners.placeOf(corner);
     forNeighbourhood(lattice_->corners, x, y, [&](int u, int v) {
         const std::size_t j = lattice_->offset(u, v);
         if (!lattice_->probes[j].has(kProbeUncertain)) return;
@@ -109,11 +105,12 @@ void Adaptive::lookAtWide(std::size_t pixel) {
     wide.squaredStep = smoothPixels_->squaredStepToWide(corner);
 }
 
+/// Takes the wide mean where it has less error than the narrow one, which `lookAtSmooth` has put
+/// down.
 void Adaptive::chooseCorners(std::size_t pixel) {
     Wide& wide = wide_[pixel];
     wide.isChosen = false;
-    const double narrow = bias_[pixel] + 0.25 * noiseAround(cornerOf(pixel));
-    pixelError_[pixel] = narrow;
+    const double narrow = pixelError_[pixel];
     if (!wide.isKnown || !(wide.variance > 0.0F)) return;
     double excess = 0.0;
     double count = 0.0;
@@ -163,8 +160,7 @@ void Adaptive::updateSampledPixels() {
         changed_.push_back(i);
     }
     for (const std::size_t i : changed_) {
-        const int x = film_.area.x0 + static_cast<int>(i % width_);
-        const int y = film_.area.y0 + static_cast<int>(i / width_);
+        const auto [x, y] = film_.area.placeOf(i);
         forNeighbourhood(film_.area, x, y, [&](int u, int v) {
             const std::size_t j = film_.offset(u, v);
             if (!isSmooth(j) && isFirstWorkOn(pixelEvidence_[j])) updatePooledError(j);
@@ -175,8 +171,7 @@ void Adaptive::updateSampledPixels() {
 void Adaptive::updatePooledError(std::size_t pixel) {
     double sum = 0.0;
     double count = 0.0;
-    const int x = film_.area.x0 + static_cast<int>(pixel % width_);
-    const int y = film_.area.y0 + static_cast<int>(pixel / width_);
+    const auto [x, y] = film_.area.placeOf(pixel);
     forNeighbourhood(film_.area, x, y, [&](int u, int v) {
         const std::size_t j = film_.offset(u, v);
         if (isSmooth(j)) return;

@@ -112,7 +112,7 @@ class Run {
             std::vector<PixelPlace> places;
             const std::size_t first = group * kTogether;
             for (std::size_t i = first; i < std::min(first + kTogether, pixels.size()); ++i) {
-                places.push_back(film_.placeOf(pixels[i]));
+                places.push_back(film_.area.placeOf(pixels[i]));
             }
             job_.kernel->probePixels(scene_, settings_, places, samples, &probes[first],
                                      probeCounts_[group]);

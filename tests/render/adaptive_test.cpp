@@ -250,7 +250,7 @@ TEST_CASE(
     std::vector<Probe> centres(pixels.size());
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const PixelPlace place = film.placeOf(pixels[i]);
+        const PixelPlace place = film.area.placeOf(pixels[i]);
         const bool inside = place.x > 3 && place.x < 12 && place.y > 3 && place.y < 12;
         if (inside && wrong == 0) wrong = pixels[i];
         centres[i].samples = 2;

@@ -19,19 +19,10 @@ struct Film {
     PixelState& at(int x, int y) { return pixels[offset(x, y)]; }
     const PixelState& at(int x, int y) const { return pixels[offset(x, y)]; }
 
-    PixelPlace placeOf(std::size_t index) const {
-        const auto width = static_cast<std::size_t>(area.width());
-        return {area.x0 + static_cast<int>(index % width),
-                area.y0 + static_cast<int>(index / width)};
-    }
-
     Tile area;
     std::vector<PixelState> pixels;
 
-    std::size_t offset(int x, int y) const {
-        return static_cast<std::size_t>(y - area.y0) * static_cast<std::size_t>(area.width()) +
-               static_cast<std::size_t>(x - area.x0);
-    }
+    std::size_t offset(int x, int y) const { return area.offset(x, y); }
 };
 
 }  // namespace rt

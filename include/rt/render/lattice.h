@@ -22,10 +22,7 @@ struct Lattice {
                  static_cast<std::size_t>(corners.height())) {}
 
     std::size_t stride() const { return static_cast<std::size_t>(corners.width()); }
-    std::size_t offset(int x, int y) const {
-        return static_cast<std::size_t>(y - corners.y0) * stride() +
-               static_cast<std::size_t>(x - corners.x0);
-    }
+    std::size_t offset(int x, int y) const { return corners.offset(x, y); }
 
     Tile corners;
     ZeroedArray<Probe> probes;

@@ -8,6 +8,7 @@
 #include "rt/trace/render_scene.h"
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -37,6 +38,11 @@ struct PixelState {
     Color mean() const { return samples ? sum / static_cast<double>(samples) : Color(0.0); }
 };
 
+struct PixelPlace {
+    int x = 0;
+    int y = 0;
+};
+
 /// Half-open rectangle of pixels.
 struct Tile {
     int x0 = 0;
@@ -46,11 +52,15 @@ struct Tile {
 
     int width() const { return x1 - x0; }
     int height() const { return y1 - y0; }
-};
-
-struct PixelPlace {
-    int x = 0;
-    int y = 0;
+    /// Where pixel (x, y) lies among them, row by row, and back.
+    std::size_t offset(int x, int y) const {
+        return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width()) +
+               static_cast<std::size_t>(x - x0);
+    }
+    PixelPlace placeOf(std::size_t index) const {
+        const auto columns = static_cast<std::size_t>(width());
+        return {x0 + static_cast<int>(index % columns), y0 + static_cast<int>(index / columns)};
+    }
 };
 
 /// Rays traced, by what they were for.
