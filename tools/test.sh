@@ -43,6 +43,8 @@ if [ "${1:-}" != --quick ]; then
     check "unit and analytic tests, sanitized" sanitized build/sanitize/tests --minimal
     check "the program from outside, sanitized" \
         sanitized python3 tests/end_to_end/run.py build/sanitize/Project
+    check "bad input and faults, sanitized" \
+        sanitized python3 tests/faults/run.py build/sanitize/Project
     check "build (thread sanitizer)" sh tools/build.sh threads Project
     check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
         build/threads/Project --only threads

@@ -42,6 +42,11 @@ def png(width, height, depth=8, kind=2, rows=None, interlaced=0, palette=b""):
             + (chunk(b"PLTE", palette) if palette else b"") + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
+def is_sanitized(project):
+    with open(project, "rb") as f:
+        return b"__asan_init" in f.read()
+
+
 class Skip(Exception):
     """Why a case cannot be tried here."""
 

@@ -15,11 +15,6 @@ ROWS = {"A": 16, "B": 12, "C": 28, "D": 27, "E": 10, "F": 19, "G": 14, "H": 13, 
 ALL = ["%s%d" % (letter, i + 1) for letter, count in ROWS.items() for i in range(count)]
 
 
-def is_sanitized(project):
-    with open(project, "rb") as f:
-        return b"__asan_init" in f.read()
-
-
 def coverage(cases):
     """-> complaints about ids that nobody holds, or that are held and absent"""
     covered = {one for case in cases for one in case.ids}
@@ -53,7 +48,7 @@ def main():
     every = [case for section in SECTIONS for case in section.CASES]
     wrong, covered = coverage(every)
     cases = [case for case in every if not wanted or wanted & set(case.ids)]
-    sanitized = is_sanitized(project)
+    sanitized = harness.is_sanitized(project)
     failures, skipped, began = 0, 0, time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for case, bad, run, why in pool.map(lambda one: attempt(project, one, sanitized), cases):
