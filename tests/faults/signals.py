@@ -79,6 +79,7 @@ CASES = [
     stopped("J3", "SIGHUP while rendering", signal.SIGHUP),
     Case("J2", "SIGINT twice", SLOW, command=sent([signal.SIGINT, signal.SIGINT], SURE), code=130,
          also=lambda run: [] if run.read("x.png") == OLD else ["the older image is gone"]),
+    Case("J2", "SIGINT again while it leaves", SLOW, command=sent([signal.SIGINT, signal.SIGINT], SURE, "Threads,Interrupted"), code=130),
     stopped("J4", "SIGINT in the script", signal.SIGINT, script="while true do end", partial=False),
     stopped("J4", "SIGTERM in string.find", signal.SIGTERM, script="string.find(('a'):rep(3000), ('a-'):rep(20) .. 'b')", partial=False),
     *[stopped("J4", "SIGTERM %g s into a mesh" % delay, signal.SIGTERM, "scene.lua --spp 1000", script=meshed_by(SHOT.replace("8, 6", "400, 300")), partial=False,

@@ -26,24 +26,15 @@ extern "C" void onSignal(int signal) {
 /// would inherit.
 extern "C" void onBrokenPipe(int) {}
 
-void handleWith(void (*handler)(int)) {
+}  // namespace
+
+void Interrupts::handle() {
     struct sigaction action = {};
-    action.sa_handler = handler;
+    action.sa_handler = &onSignal;
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     for (const int signal : kSignals) sigaction(signal, &action, nullptr);
-}
-
-}  // namespace
-
-Interrupts::Interrupts() {
-    handleWith(&onSignal);
     signal(SIGPIPE, &onBrokenPipe);
-}
-
-Interrupts::~Interrupts() {
-    handleWith(SIG_DFL);
-    signal(SIGPIPE, SIG_DFL);
 }
 
 Interrupts::Deferred::Deferred() {

@@ -5,15 +5,12 @@
 
 namespace rt {
 
-/// While one lives, SIGINT, SIGTERM and SIGHUP leave at once with 128 + their number, unless there
-/// is an image to save: then the first only sets a flag, and the second leaves. Nobody reading the
-/// messages any more costs no image.
+/// From handle() until the process has ended, SIGINT, SIGTERM and SIGHUP leave at once with 128 +
+/// their number, unless there is an image to save: then the first only sets a flag, and the second
+/// leaves. Nobody reading the messages any more costs no image.
 class Interrupts {
   public:
-    Interrupts();
-    ~Interrupts();
-    Interrupts(const Interrupts&) = delete;
-    Interrupts& operator=(const Interrupts&) = delete;
+    static void handle();
 
     /// While one lives, there is an image to save.
     class Deferred {

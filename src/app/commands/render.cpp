@@ -165,7 +165,7 @@ class Batch {
 
 int renderCommand(const Options& options) {
     requireDefaultScene(options);
-    const Interrupts interrupts;
+    Interrupts::handle();
     return Batch(options).run();
 }
 
