@@ -242,6 +242,7 @@ class TowardsTarget {
         bool reached = false;
         while (!run_.stopped() && !reached) {
             adaptive_->update();
+            if (job_.onEstimate && adaptive_->knowsError()) job_.onEstimate(*errorEstimate());
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
             goal.squaredTarget = allowed * allowed;
             reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;

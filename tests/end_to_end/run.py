@@ -3,7 +3,9 @@
 
 PROJECT is the executable. --only threads runs what the thread sanitizer should see.
 """
-import glob, json, os, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+import glob, json, os, re, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+
+from terminal import ESCAPE, bars, on_terminal
 
 PROJECT = ""
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -337,6 +339,50 @@ class Rendering(EndToEnd):
         self.assertIn(b"not finite", done.stderr)
 
 
+class OnTerminal(EndToEnd):
+    """Standard error is a terminal, standard output is not."""
+
+    def shown(self, *args, **more):
+        self.write("scene.lua", EVERYTHING)
+        code, out, shown = on_terminal([PROJECT, "scene.lua", *args], self.folder, **more)
+        self.assertEqual(code, 0, shown)
+        self.assertEqual(out, b"")
+        return shown
+
+    def test_a_bar_with_percent_error_and_time_left(self):
+        shown = self.shown("--error", "0.004")
+        drawn = bars(shown)
+        percents = [int(bar.split("%")[0].split("]")[-1]) for bar in drawn]
+        self.assertEqual(percents, sorted(percents))
+        self.assertEqual(percents[-1], 100)
+        self.assertTrue(any(re.fullmatch(r"\[=* *\] +\d+ %  error 0\.\d+  \d+:\d\d left", bar) for bar in drawn), drawn)
+        self.assertRegex(shown, r"^Threads: \d+\r\n")
+        self.assertRegex(ESCAPE.sub("", shown), r"\r\nRender Complete! everything.png in .*\r\n$")
+
+    def test_the_bar_keeps_to_the_width_of_the_terminal(self):
+        for columns, has_bar in (20, False), (34, True), (100, True):
+            drawn = bars(self.shown("--spp", "2", columns=columns))
+            self.assertLess(max(map(len, drawn)), columns)
+            self.assertEqual(any("[" in bar for bar in drawn), has_bar)
+
+    def test_colours_by_option_and_environment(self):
+        for args, env, coloured in ((), {}, True), ((), {"NO_COLOR": "1"}, False), ((), {"NO_COLOR": ""}, True), \
+                (("--color", "never"), {}, False), (("--color", "always"), {"NO_COLOR": "1"}, True):
+            with self.subTest(args=args, env=env):
+                self.assertEqual("\x1b[32m" in self.shown("--spp", "2", *args, env=env), coloured)
+
+    def test_a_terminal_that_cannot_redraw_gets_plain_lines(self):
+        shown = self.shown("--spp", "2", env={"TERM": "dumb"})
+        self.assertNotIn("\x1b", shown)
+        self.assertIn("\r\n100 %\r\n", shown)
+
+    def test_the_image_on_stdout_is_free_of_progress(self):
+        self.write("scene.lua", EVERYTHING)
+        _, out, shown = on_terminal([PROJECT, "scene.lua", "--spp", "1", "-o", "-"], self.folder)
+        self.assertTrue(out.startswith(b"\x89PNG") and out.endswith(b"IEND\xaeB`\x82"))
+        self.assertIn("Render Complete!", shown)
+
+
 class Scenes(EndToEnd):
     """The project's own scenes: no warning, and the one that has everything against the slow truth."""
 
@@ -587,8 +633,8 @@ def main():
     global PROJECT
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Golden,
-                                                                          Comparing, Failures]
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes,
+                                                                          Golden, Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

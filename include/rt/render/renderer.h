@@ -23,6 +23,8 @@ struct RenderJob {
     const std::atomic<bool>* cancel = nullptr;
     /// Told the share of the work that is done, from the calling thread or a worker, one at a time.
     std::function<void(double share)> onProgress;
+    /// Told the estimated RMSE so far, between passes towards an error target, where it is known.
+    std::function<void(double error)> onEstimate;
 };
 
 struct RenderOutcome {

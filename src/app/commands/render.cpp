@@ -122,8 +122,9 @@ class Batch {
     Picture rendered(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                      Diagnostics& diagnostics) {
         progress_.startImage();
-        const auto onProgress = [this](double share) { progress_.update(share); };
-        return renderer_.render(desc, index, prepared, onProgress, diagnostics);
+        const RenderListener listener{[this](double share) { progress_.update(share); },
+                                      [this](double error) { progress_.estimate(error); }};
+        return renderer_.render(desc, index, prepared, listener, diagnostics);
     }
 
     void save(const Picture& picture, const std::string& output) {

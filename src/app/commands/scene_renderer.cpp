@@ -129,9 +129,9 @@ PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
 }
 
 Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
-                              const PreparedScene& prepared, std::function<void(double)> onProgress,
+                              const PreparedScene& prepared, const RenderListener& listener,
                               Diagnostics& diagnostics) const {
-    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, std::move(onProgress));
+    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, listener);
     warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
     Picture picture;
     picture.image = imageOf(outcome.film, areaOf(prepared.scene));
@@ -195,7 +195,7 @@ void SceneRenderer::refuseTooManyPixels(const RenderDesc& render) const {
 }
 
 RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOptions& options,
-                                      std::function<void(double)> onProgress) const {
+                                      const RenderListener& listener) const {
     const SamplingGoal goal = samplingGoal(options);
     RenderJob job;
     job.settings = goal.trace;
@@ -207,7 +207,8 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.timeLimit = goal.timeLimit;
     job.kernel = &kernel_;
     job.cancel = &Interrupts::requested();
-    job.onProgress = std::move(onProgress);
+    job.onProgress = listener.onProgress;
+    job.onEstimate = listener.onEstimate;
     return rt::render(scene, job);
 }
 

@@ -34,6 +34,12 @@ struct Picture {
     std::uint64_t nonFinite = 0;  ///< samples; they count as black
 };
 
+/// Who is told how a render goes; see RenderJob. None of them need be there.
+struct RenderListener {
+    std::function<void(double share)> onProgress;
+    std::function<void(double error)> onEstimate;
+};
+
 /// What a file says about the picture.
 ImageMetadata metadataOf(const RenderStats& stats);
 
@@ -55,16 +61,15 @@ class SceneRenderer {
 
     PreparedScene prepare(const SceneDesc& desc, std::size_t index, Diagnostics& diagnostics);
 
-    /// `onProgress` is told the share that is done.
     Picture render(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
-                   std::function<void(double)> onProgress, Diagnostics& diagnostics) const;
+                   const RenderListener& listener, Diagnostics& diagnostics) const;
 
   private:
     RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
                          Diagnostics& diagnostics);
     void refuseTooManyPixels(const RenderDesc& render) const;
     RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
-                           std::function<void(double)> onProgress) const;
+                           const RenderListener& listener) const;
     Tile areaOf(const RenderScene& scene) const;
     RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
                         const RenderOutcome& outcome) const;
