@@ -44,6 +44,12 @@ void addOutputRows(Rows& rows) {
                         if (v.empty()) throw UsageError("--stats: the name of the file is empty");
                         o.stats = v;
                     }});
+    rows.push_back({kOutput, "--deps", "FILE",
+                    "write what the images depend on, as rules for make and ninja",
+                    [](Options& o, const std::string& v) {
+                        if (v.empty()) throw UsageError("--deps: the name of the file is empty");
+                        o.deps = v;
+                    }});
 }
 
 std::string sharedText(const OptionRow& row) {

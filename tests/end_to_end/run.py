@@ -430,6 +430,70 @@ class Scenes(EndToEnd):
             self.assertLessEqual(abs(a - b), render["cut_error_bound"] + 1e-3)
         self.assertLess(render["cut_error_bound"], 1e-2)
 
+class Dependencies(EndToEnd):
+    """--deps, as make and ninja read it."""
+
+    USING = """
+        require 'lib.part one'
+        local root = gr.node('root')
+        root:add_child(gr.mesh('m', 'm$x #1.obj'), gr.material({1, 1, 1}, {0, 0, 0}, 0))
+        root:add_child(gr.sphere('s'), nil, gr.texture('white.png', {0, 0, 0}, 0))
+        gr.render(root, '%s', 4, 4, {0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 50, {1, 1, 1}, {})"""
+    NEEDED = "using.lua", "lib/part one.lua", "m$x #1.obj", "white.png"
+
+    def setUp(self):
+        super().setUp()
+        self.write("sky.lua", "gr.background({1, 1, 1})\n"
+                   "gr.render(gr.node('n'), 'white.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.run_project("sky.lua", "-q", "--spp", "1")
+        os.remove(self.path("sky.lua"))
+        self.write("using.lua", self.USING % "using.png")
+        self.write("lib/part one.lua", "")
+        self.write("m$x #1.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    def built(self, *command):
+        """-> whether the image was made again"""
+        before = os.stat(self.path("using.png")).st_mtime_ns if os.path.exists(self.path("using.png")) else None
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return os.stat(self.path("using.png")).st_mtime_ns != before
+
+    def again_for_each_file(self, *command):
+        self.assertTrue(self.built(*command))
+        self.assertFalse(self.built(*command))
+        for name in self.NEEDED:
+            with self.subTest(name):
+                later = time.time() + 2
+                os.utime(self.path(name), (later, later))
+                self.assertTrue(self.built(*command))
+                os.utime(self.path(name), (1e9, 1e9))
+                self.assertFalse(self.built(*command))
+
+    def test_the_example_makefile_renders_what_changed(self):
+        shutil.copy(os.path.join(TOP, "Documentation", "examples", "Makefile"), self.path("Makefile"))
+        self.again_for_each_file("make", "PROJECT=" + PROJECT)
+        # A module that is needed no more and gone does not stop make.
+        self.write("using.lua", (self.USING % "using.png").replace("require 'lib.part one'", ""))
+        os.remove(self.path("lib/part one.lua"))
+        self.assertTrue(self.built("make", "PROJECT=" + PROJECT))
+
+    @unittest.skipUnless(shutil.which("ninja"), "ninja is not installed")
+    def test_ninja_renders_what_changed(self):
+        self.write("build.ninja", "rule render\n  command = %s $in -q -o $out --deps $out.d\n  depfile = $out.d\n"
+                   "  deps = gcc\nbuild using.png: render using.lua\n" % PROJECT)
+        self.again_for_each_file("ninja")
+
+    def test_a_failure_leaves_the_older_rules_and_a_check_writes_them(self):
+        self.run_project("using.lua", "--check", "--deps", "d")
+        rules = self.read("d")
+        self.assertTrue(rules.startswith(b"using.png:"))
+        self.write("bad.lua", "error('no')")
+        self.run_project("using.lua", "bad.lua", "-q", "--deps", "d", code=1)
+        self.assertEqual(self.read("d"), rules)
+        self.run_project("using.lua", "-q", "--deps", "using.lua", code=2)
+        self.run_project("using.lua", "-q", "--deps", "using.lua/d", code=3)
+
+
 class Golden(EndToEnd):
     """The golden command: what passes, what fails, and what it writes."""
 
@@ -605,8 +669,11 @@ class Failures(EndToEnd):
         self.write("good.lua", BALL)
         done = self.run_project("bad.lua", "good.lua", code=1)
         self.assertTrue(os.path.exists(self.path("ball.png")))
+        self.assertEqual(done.stderr.decode().splitlines()[-2:],
+                         ["bad.lua: failed with exit code 1, 0 images", "good.lua: done, 1 image"])
         os.remove(self.path("ball.png"))
-        self.run_project("bad.lua", "good.lua", "--fail-fast", code=1)
+        done = self.run_project("bad.lua", "good.lua", "--fail-fast", code=1)
+        self.assertIn(b"\ngood.lua: not tried\n", done.stderr)
         self.assertFalse(os.path.exists(self.path("ball.png")))
 
     def test_werror_turns_warnings_into_failure(self):
@@ -634,7 +701,7 @@ def main():
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes,
-                                                                          Golden, Comparing, Failures]
+                                                                          Dependencies, Golden, Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

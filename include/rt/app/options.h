@@ -70,6 +70,7 @@ struct Options {
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
     std::optional<std::string> stats;  ///< file
+    std::optional<std::string> deps;   ///< file
 
     int threads = 0;                 ///< 0: as many as this process may use
     std::optional<std::string> isa;  ///< baseline, avx2, avx512; none: the best that runs here

@@ -1,4 +1,5 @@
 // script -> description -> compiled scene -> tiles -> film -> file.
+#include "dependency_file.h"
 #include "interrupts.h"
 #include "output_names.h"
 #include "rt/app/commands.h"
@@ -10,8 +11,10 @@
 #include "scene_renderer.h"
 #include "scene_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <string>
@@ -35,6 +38,28 @@ std::string partialName(const std::string& name) {
     return name.substr(0, dot) + ".partial" + name.substr(dot);
 }
 
+/// The outputs that are files; nothing can depend on a stream.
+std::vector<std::string> imagesOf(const std::vector<std::string>& outputs) {
+    std::vector<std::string> files;
+    std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(files),
+                 [](const std::string& output) { return !isStream(output); });
+    return files;
+}
+
+/// What came of a scene.
+struct EndedScene {
+    std::string name;
+    int code = 0;
+    int images = 0;
+
+    std::string line() const {
+        const std::string count = std::to_string(images) + (images == 1 ? " image" : " images");
+        return printable(name, 300) + ": " +
+               (code == 0 ? "done, " : "failed with exit code " + std::to_string(code) + ", ") +
+               count;
+    }
+};
+
 /// One run of the program over its scenes.
 class Batch {
   public:
@@ -45,20 +70,27 @@ class Batch {
           progress_(standardError(options.color), options.quiet) {}
 
     int run() {
-        if (options_.stats) checkWritable(*options_.stats);
+        for (const auto& file : {options_.stats, options_.deps}) {
+            if (file) checkWritable(*file);
+        }
         progress_.begin(renderer_.threads());
         for (const std::string& scene : options_.scenes) {
             const int code = attempt(scene);
+            ended_.push_back({scene, code, images_});
             if (code_ == 0) code_ = code;
             if (code != 0 && (options_.failFast || Interrupts::exitCode() != 0)) break;
         }
         if (options_.stats) noteIfAny(writeStats(*options_.stats, stats_));
+        // Of a run that failed not all is known: make tries again by the older rules.
+        if (options_.deps && code_ == 0) noteIfAny(writeDependencies(*options_.deps, rules_));
+        if (options_.scenes.size() > 1 && !options_.quiet) sumUp();
         return code_;
     }
 
   private:
     int attempt(const std::string& scene) {
         Diagnostics diagnostics;
+        images_ = 0;
         int code = 0;
         try {
             const FrameRange frames = options_.frames.value_or(FrameRange{});
@@ -93,6 +125,10 @@ class Batch {
         const ScriptResult script = renderer_.runScript(path, frame, diagnostics);
         if (options_.listParams) return printParameters(script);
         const std::vector<std::string> outputs = names_.namesFor(script.scene, frame, diagnostics);
+        rules_.push_back({imagesOf(outputs), script.filesRead});
+        for (const auto& file : {options_.stats, options_.deps}) {
+            if (file) refuseOverwriting(*file, script.filesRead);
+        }
         for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
             refuseOverwriting(outputs[i], script.filesRead);
             renderer_.checkOutput(outputs[i], script.scene.renders[i]);
@@ -116,6 +152,7 @@ class Batch {
         picture.stats.warnings = diagnostics.total();
         save(picture, picture.cancelled ? partialName(output) : output);
         stats_.push_back(std::move(picture.stats));
+        ++images_;
         if (Interrupts::exitCode() != 0) throw Interrupted{};
     }
 
@@ -134,6 +171,14 @@ class Batch {
             progress_.message("Interrupted; what was rendered so far is in " + output);
         } else {
             progress_.finish({output, picture.stats.renderSeconds, picture.stats.errorEstimate});
+        }
+    }
+
+    /// One line for each scene: a failure may have scrolled away.
+    void sumUp() {
+        for (const EndedScene& ended : ended_) progress_.message(ended.line());
+        for (std::size_t i = ended_.size(); i < options_.scenes.size(); ++i) {
+            progress_.message(printable(options_.scenes[i], 300) + ": not tried");
         }
     }
 
@@ -159,6 +204,9 @@ class Batch {
     OutputNames names_;
     Progress progress_;
     std::vector<RenderStats> stats_;
+    std::vector<DependencyRule> rules_;
+    std::vector<EndedScene> ended_;
+    int images_ = 0;  ///< that the scene at hand has written
     int code_ = 0;
 };
 

@@ -106,9 +106,9 @@ SceneRenderer::SceneRenderer(const Options& options)
       assets_(threads_) {}
 
 ScriptResult SceneRenderer::runScript(const std::string& path, std::int64_t frame,
-                                      Diagnostics& diagnostics) {
+                                      Diagnostics& diagnostics, ScriptFiles* files) {
     assets_.forgetTables();
-    return rt::runScript(path, scriptSettings(options_, frame), diagnostics);
+    return rt::runScript(path, scriptSettings(options_, frame), diagnostics, files);
 }
 
 PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,

@@ -54,7 +54,9 @@ class SceneRenderer {
 
     int threads() const { return threads_; }
 
-    ScriptResult runScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics);
+    /// `files`, if not null, is filled whatever happens.
+    ScriptResult runScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics,
+                           ScriptFiles* files = nullptr);
 
     /// What can be known about an output before there is anything to write.
     void checkOutput(const std::string& output, const RenderDesc& render) const;
