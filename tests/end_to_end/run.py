@@ -494,6 +494,152 @@ class Dependencies(EndToEnd):
         self.run_project("using.lua", "-q", "--deps", "using.lua/d", code=3)
 
 
+class Watching(EndToEnd):
+    """--watch."""
+
+    USING = """
+        require 'part'
+        local root = gr.node('root')
+        root:add_child(gr.mesh('m', 'm.obj'), gr.material({1, 1, 1}, {0, 0, 0}, 0))
+        root:add_child(gr.nh_box('s', {0, 0, -2}, 1), nil, gr.texture('t.png', {0, 0, 0}, 0))
+        gr.render(root, 'x.png', 16, 16, {0, 0, 4}, {0, 0, -1}, {0, 1, 0}, 50, {grey, 1, 1}, {})"""
+    MESH = "v %g 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    QUIET = r"Watching \d+ files"
+
+    def texture(self, grey):
+        self.write("sky.lua", "gr.background({%g, 1, 1})\n" % grey +
+                   "gr.render(gr.node('n'), 't.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.run_project("sky.lua", "-q", "--spp", "1")
+
+    def start(self, *args, command=()):
+        time.sleep(0.05)  # what is written in the tick in which a run begins is read again
+        self.said = open(self.path("said"), "wb+")
+        self.addCleanup(self.said.close)
+        self.running = subprocess.Popen([*command, PROJECT, *args], cwd=self.folder, stderr=self.said)
+        self.addCleanup(self.running.communicate)
+        self.addCleanup(self.running.kill)
+        self.heard = 0
+
+    def hear(self, pattern, seconds=30):
+        """Waits for the next message of this form. -> the messages up to it"""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            with open(self.path("said"), errors="replace") as f:
+                text = f.read()[self.heard:]
+            found = re.search(pattern, text)
+            if found:
+                self.heard += found.end()
+                return text[:found.end()]
+            self.assertIsNone(self.running.poll(), text)
+            time.sleep(0.02)
+        self.fail("nothing like %r in %r" % (pattern, text[-2000:]))
+
+    def interrupt(self):
+        began = time.monotonic()
+        self.running.send_signal(signal.SIGINT)
+        self.running.communicate(timeout=30)
+        self.assertEqual(self.running.returncode, 130)
+        return time.monotonic() - began
+
+    def prepare(self):
+        self.texture(0.2)
+        self.write("part.lua", "grey = 0.5")
+        self.write("m.obj", self.MESH % 0)
+        self.write("scene.lua", self.USING)
+
+    def renders_again(self, name, text, rename=False):
+        before = self.read("x.png")
+        self.write(name + ".new" if rename else name, text)
+        if rename:
+            os.rename(self.path(name + ".new"), self.path(name))
+        self.assertIn(os.path.basename(name), self.hear("Changed: .*"))
+        self.hear(self.QUIET)
+        self.assertNotEqual(self.read("x.png"), before, name)
+
+    def test_scripts_modules_meshes_and_textures_are_watched(self):
+        self.prepare()
+        self.start("scene.lua", "--spp", "1", "--watch")
+        self.hear(self.QUIET)
+        self.renders_again("part.lua", "grey = 0.9")
+        self.renders_again("m.obj", self.MESH % 0.5)
+        self.renders_again("scene.lua", self.USING.replace("{1, 1, 1}", "{1, 0, 1}"), rename=True)
+        before = self.read("x.png")
+        self.texture(0.9)
+        self.hear("Changed: .*t.png")
+        self.hear(self.QUIET)
+        self.assertNotEqual(self.read("x.png"), before)
+        self.assertLess(self.interrupt(), 1)
+
+    def test_an_error_keeps_the_image_and_shows_its_line(self):
+        self.prepare()
+        self.start("scene.lua", "--spp", "1", "--watch")
+        self.hear(self.QUIET)
+        before = self.read("x.png")
+        for bad, message in (("x = = 1", r"error: .*'='"), ("grey = 0.5\nerror('no')", r"part.lua:2: error: no"),
+                             ("grey = 0.5\nrequire 'later'", r"part.lua:2: error: .*later")):
+            self.write("part.lua", bad)
+            self.hear(message)
+            self.hear(self.QUIET)
+            self.assertEqual(self.read("x.png"), before)
+        # What was not found is looked out for, in folders that come later, too.
+        self.write("later/init.lua", "grey = 0.1")
+        self.hear("Changed: .*later/init.lua")
+        self.hear("Render Complete!")
+        self.hear(self.QUIET)
+        self.write("m.obj", "v 0 0 0\nf 1 2 9\n")
+        self.hear("m.obj:2: error")
+        self.hear(self.QUIET)
+        self.write("m.obj", self.MESH % 0.2)
+        self.hear("Render Complete!")
+        self.hear(self.QUIET)
+        self.assertNotEqual(self.read("x.png"), before)
+        os.remove(self.path("scene.lua"))
+        self.hear("scene.lua: error: cannot be opened")
+        self.write("scene.lua", self.USING)
+        self.hear("Render Complete!")
+
+    def test_a_change_during_a_render_starts_it_anew(self):
+        self.write("scene.lua", EVERYTHING)
+        self.start("scene.lua", "--spp", "1000000", "--watch", "-o", "x.png")
+        self.hear("Threads")
+        time.sleep(0.5)
+        self.write("scene.lua", BALL + "-- another")
+        said = self.hear("Changed: .*scene.lua")
+        self.assertNotIn("Interrupted", said)
+        time.sleep(0.3)
+        self.assertLess(self.interrupt(), 3)
+        self.assertEqual(sorted(name for name in os.listdir(self.folder) if "png" in name), ["x.partial.png"])
+
+    def test_an_editor_that_empties_the_file_first(self):
+        self.write("scene.lua", BALL)
+        self.start("scene.lua", "--spp", "1", "--watch")
+        self.hear(self.QUIET)
+        with open(self.path("scene.lua"), "w") as f:
+            f.flush()
+            time.sleep(0.05)
+            f.write(BALL.replace("0.8, 0.4, 0.2", "0.1, 0.9, 0.2"))
+        said = self.hear(self.QUIET)
+        self.assertIn("Render Complete!", said)
+        self.assertNotIn("nothing was rendered", said)
+
+    def test_where_the_kernel_gives_no_notices(self):
+        without = ["unshare", "-Ur", "sh", "-c", "echo 0 > /proc/sys/user/max_inotify_instances && exec \"$@\"", "sh"]
+        if subprocess.run([*without, "true"], capture_output=True).returncode != 0:
+            self.skipTest("no user namespaces here")
+        self.prepare()
+        self.start("scene.lua", "--spp", "1", "--watch", command=without)
+        self.hear(self.QUIET)
+        self.renders_again("part.lua", "grey = 0.9")
+
+    def test_one_mesh_that_is_wrong_fails_every_scene_that_uses_it(self):
+        self.write("m.obj", "v 0 0 0\nf 1 2 9\n")
+        for name in "a", "b":
+            self.write(name + ".lua", "local r = gr.node('r') r:add_child(gr.mesh('m', 'm.obj'), gr.material({1,1,1}, {0,0,0}, 0))\n"
+                       "gr.render(r, '%s.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})" % name)
+        done = self.run_project("a.lua", "b.lua", "--spp", "1", code=1)
+        self.assertIn(b"b.lua: failed with exit code 1", done.stderr)
+
+
 class Golden(EndToEnd):
     """The golden command: what passes, what fails, and what it writes."""
 
@@ -701,7 +847,7 @@ def main():
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes,
-                                                                          Dependencies, Golden, Comparing, Failures]
+                                                                          Dependencies, Watching, Golden, Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

@@ -55,6 +55,8 @@ struct GoldenOptions {
     std::string report = "golden_report";     ///< folder
 };
 
+inline constexpr int kPreviewPort = 8318;
+
 struct Options {
     Command command = Command::kRender;
     CompareOptions compare;
@@ -87,6 +89,9 @@ struct Options {
     bool check = false;
     bool listParams = false;
     bool failFast = false;
+    bool watch = false;
+    bool preview = false;
+    int previewPort = kPreviewPort;  ///< of the loopback address; 0: any that is free
     bool werror = false;
     bool quiet = false;
     bool verbose = false;

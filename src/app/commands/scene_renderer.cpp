@@ -209,6 +209,8 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.cancel = &Interrupts::requested();
     job.onProgress = listener.onProgress;
     job.onEstimate = listener.onEstimate;
+    job.onSnapshot = listener.onSnapshot;
+    job.wantsSnapshot = listener.wantsSnapshot;
     return rt::render(scene, job);
 }
 

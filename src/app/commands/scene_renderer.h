@@ -11,6 +11,7 @@
 #include "rt/render/renderer.h"
 #include "rt/script/scene_script.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,6 +39,8 @@ struct Picture {
 struct RenderListener {
     std::function<void(double share)> onProgress;
     std::function<void(double error)> onEstimate;
+    std::function<void(RenderSnapshot snapshot)> onSnapshot;
+    const std::atomic<bool>* wantsSnapshot = nullptr;
 };
 
 /// What a file says about the picture.
@@ -65,6 +68,9 @@ class SceneRenderer {
 
     Picture render(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                    const RenderListener& listener, Diagnostics& diagnostics) const;
+
+    /// What was loaded from a file is loaded again.
+    void forget(const std::string& file) { assets_.forgetFile(file); }
 
   private:
     RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
