@@ -28,7 +28,8 @@ RenderSnapshot Adaptive::snapshot() const {
             snapshot.means[pixel] = glm::vec3(meanSeenThroughCorners(pixel).value_or(Color(0.0)));
         }
     }
-    if (!knowsError()) return snapshot;
+    // In the middle of a pass the last estimates hold, though some pixels lack samples.
+    if (!knowsError() && !(squaredError_ > 0.0)) return snapshot;
     snapshot.errors.reserve(pixelError_.size());
     for (const double squared : pixelError_) {
         snapshot.errors.push_back(static_cast<float>(std::sqrt(squared)));

@@ -3,7 +3,7 @@
 
 PROJECT is the executable. --only threads runs what the thread sanitizer should see.
 """
-import glob, json, os, re, shutil, signal, struct, subprocess, sys, tempfile, time, unittest
+import glob, http.client, json, os, re, shutil, signal, socket, struct, subprocess, sys, tempfile, time, unittest
 
 from terminal import ESCAPE, bars, on_terminal
 
@@ -494,22 +494,10 @@ class Dependencies(EndToEnd):
         self.run_project("using.lua", "-q", "--deps", "using.lua/d", code=3)
 
 
-class Watching(EndToEnd):
-    """--watch."""
+class Followed(EndToEnd):
+    """The program while it runs."""
 
-    USING = """
-        require 'part'
-        local root = gr.node('root')
-        root:add_child(gr.mesh('m', 'm.obj'), gr.material({1, 1, 1}, {0, 0, 0}, 0))
-        root:add_child(gr.nh_box('s', {0, 0, -2}, 1), nil, gr.texture('t.png', {0, 0, 0}, 0))
-        gr.render(root, 'x.png', 16, 16, {0, 0, 4}, {0, 0, -1}, {0, 1, 0}, 50, {grey, 1, 1}, {})"""
-    MESH = "v %g 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
     QUIET = r"Watching \d+ files"
-
-    def texture(self, grey):
-        self.write("sky.lua", "gr.background({%g, 1, 1})\n" % grey +
-                   "gr.render(gr.node('n'), 't.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
-        self.run_project("sky.lua", "-q", "--spp", "1")
 
     def start(self, *args, command=()):
         time.sleep(0.05)  # what is written in the tick in which a run begins is read again
@@ -540,6 +528,22 @@ class Watching(EndToEnd):
         self.running.communicate(timeout=30)
         self.assertEqual(self.running.returncode, 130)
         return time.monotonic() - began
+
+
+class Watching(Followed):
+    """--watch."""
+
+    USING = """
+        require 'part'
+        local root = gr.node('root')
+        root:add_child(gr.mesh('m', 'm.obj'), gr.material({1, 1, 1}, {0, 0, 0}, 0))
+        root:add_child(gr.nh_box('s', {0, 0, -2}, 1), nil, gr.texture('t.png', {0, 0, 0}, 0))
+        gr.render(root, 'x.png', 16, 16, {0, 0, 4}, {0, 0, -1}, {0, 1, 0}, 50, {grey, 1, 1}, {})"""
+    MESH = "v %g 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    def texture(self, grey):
+        self.write("sky.lua", "gr.background({%g, 1, 1})\n" % grey +
+                   "gr.render(gr.node('n'), 't.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.run_project("sky.lua", "-q", "--spp", "1")
 
     def prepare(self):
         self.texture(0.2)
@@ -638,6 +642,140 @@ class Watching(EndToEnd):
                        "gr.render(r, '%s.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})" % name)
         done = self.run_project("a.lua", "b.lua", "--spp", "1", code=1)
         self.assertIn(b"b.lua: failed with exit code 1", done.stderr)
+
+
+class Previewing(Followed):
+    """--preview over HTTP; tests/browser/ looks at its page."""
+
+    def open(self, *args, address=r"Preview: http://127.0.0.1:(\d+)/"):
+        self.start(*args, "--preview", "--preview-port", "0")
+        self.port = int(re.search(address, self.hear(address))[1])
+
+    def ask(self, path, method="GET", host=None, body=None, **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=20)
+        connection.putrequest(method, path, skip_host=True)
+        connection.putheader("Host", host or "127.0.0.1:%d" % self.port)
+        for name, value in headers.items():
+            connection.putheader(name.replace("_", "-"), value)
+        connection.putheader("Content-Length", str(len(body or b"")))
+        connection.endheaders(body)
+        answer = connection.getresponse()
+        content = answer.read()
+        connection.close()
+        return answer.status, answer.headers, content
+
+    def status(self):
+        return json.loads(self.ask("/status.json")[2])
+
+    def wait_for(self, true, seconds=60):
+        end = time.monotonic() + seconds
+        while not true(self.status()):
+            self.assertLess(time.monotonic(), end, self.status())
+            time.sleep(0.05)
+
+    def token(self):
+        return re.search(r'name="token" content="([0-9a-f]{32})"', self.ask("/")[2].decode())[1]
+
+    def test_an_image_refines_and_is_in_the_end_what_its_file_holds(self):
+        self.write("scene.lua", EVERYTHING)
+        self.open("scene.lua", "--spp", "2000", "-o", "x.png")
+        self.wait_for(lambda status: status["version"] > 0)
+        status = self.status()
+        self.assertTrue(status["running"])
+        self.assertEqual((status["width"], status["height"], status["output"]), (80, 60, "x.png"))
+        self.wait_for(lambda later: later["version"] > status["version"] and later["share"] > status["share"])
+        self.wait_for(lambda status: not status["running"])
+        for name in "image", "samples", "error":
+            code, headers, content = self.ask("/map.png?map=" + name)
+            self.assertEqual((code, headers["Content-Type"]), (200, "image/png"))
+            with open(self.path(name + ".png"), "wb") as f:
+                f.write(content)
+        self.run_project("compare", "image.png", "x.png", "--tolerance", "0")
+        self.run_project("compare", "samples.png", "error.png", "--tolerance", "0", code=10)
+        pixel = json.loads(self.ask("/pixel.json?x=40&y=30")[2])
+        self.assertEqual((pixel["x"], pixel["y"], pixel["samples"]), (40, 30, 2000))
+        self.assertEqual(len(pixel["value"]), 3)
+        self.assertLess(0, self.status()["largestError"])
+        # The same pixels as without anybody who looks on.
+        self.run_project("scene.lua", "-q", "--spp", "2000", "-o", "y.png")
+        self.run_project("compare", "x.png", "y.png", "--tolerance", "0")
+
+    def test_towards_an_error_the_bytes_are_the_same_too(self):
+        self.write("scene.lua", EVERYTHING)
+        self.open("scene.lua", "--error", "0.002", "-o", "x.png")
+        self.wait_for(lambda status: not status["running"])
+        self.run_project("scene.lua", "-q", "--error", "0.002", "-o", "y.png")
+        self.assertEqual(self.read("x.png"), self.read("y.png"))
+
+    def test_strangers_are_refused(self):
+        self.write("scene.lua", BALL)
+        self.open("scene.lua", "--spp", "1")
+        self.wait_for(lambda status: not status["running"])
+        for host in "example.org", "example.org:%d" % self.port, "127.0.0.1", "127.0.0.1:1", "127.0.0.1.example.org:%d" % self.port:
+            self.assertEqual(self.ask("/status.json", host=host)[0], 403, host)
+        self.assertEqual(self.ask("/", host="localhost:%d" % self.port)[0], 200)
+        for path in ("/../scene.lua", "/scene.lua", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/status.json/", "/x" * 500,
+                     "/map.png?map=../x", "/pixel.json", "/pixel.json?x=1", "/pixel.json?x=64&y=0", "/pixel.json?x=1e1&y=0",
+                     "/pixel.json?x=-1&y=0", "/pixel.json?x=99999999999&y=0"):
+            self.assertEqual(self.ask(path)[0], 404, path)
+        for method in "POST", "PUT", "DELETE", "OPTIONS":
+            self.assertEqual(self.ask("/status.json", method)[0], 405, method)
+        self.assertEqual(self.ask("/stop")[0], 405)
+        self.assertEqual(self.ask("/stop", "POST")[0], 403)
+        self.assertEqual(self.ask("/stop", "POST", X_Token="0" * 32)[0], 403)
+        self.assertEqual(self.ask("/stop", "POST", X_Token="0" * 32, body=b"x" * 100000)[0], 403)
+        headers = self.ask("/")[1]
+        self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+        self.assertNotIn("Access-Control-Allow-Origin", headers)
+        self.assertIsNone(self.running.poll())
+        # Bound to the loopback address alone: no other of this machine's answers.
+        with open("/proc/net/tcp") as f:
+            listening = [line.split()[1] for line in f if line.split()[3] == "0A"]
+        self.assertIn("0100007F:%04X" % self.port, listening)
+        self.assertNotIn("00000000:%04X" % self.port, listening)
+
+    def test_stop_saves_what_there_is_and_ends(self):
+        self.write("scene.lua", EVERYTHING)
+        self.open("scene.lua", "--error", "1e-7", "--max-spp", "1000000", "-o", "x.png")
+        self.wait_for(lambda status: status["version"] > 0)
+        self.assertEqual(self.ask("/stop", "POST", X_Token=self.token())[0], 200)
+        self.running.communicate(timeout=20)
+        self.assertEqual(self.running.returncode, 0)
+        self.assertTrue(os.path.exists(self.path("x.partial.png")))
+
+    def test_with_watch_the_page_tells_of_an_error_and_keeps_the_image(self):
+        self.write("scene.lua", BALL)
+        self.open("scene.lua", "--spp", "1", "--watch")
+        self.hear(self.QUIET)
+        self.assertEqual(self.status()["messages"], [])
+        before = self.ask("/map.png")[2]
+        self.write("scene.lua", BALL + "error('a wall is missing')")
+        self.wait_for(lambda status: status["messages"] and not status["running"])
+        self.assertRegex(self.status()["messages"][0], r"^scene.lua:\d+: error: a wall is missing")
+        self.assertEqual(self.ask("/map.png")[2], before)
+        self.write("scene.lua", BALL.replace("0.8, 0.4, 0.2", "0.1, 0.9, 0.2"))
+        self.wait_for(lambda status: not status["messages"] and not status["running"])
+        self.assertNotEqual(self.ask("/map.png")[2], before)
+        self.assertLess(self.interrupt(), 1)
+
+    def test_a_port_in_use_and_a_missing_plugin_say_what_to_do(self):
+        self.write("scene.lua", BALL)
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            port = str(other.getsockname()[1])
+            done = self.run_project("scene.lua", "--preview", "--preview-port", port, code=3)
+        self.assertIn(b"error: --preview: port " + port.encode() + b" of 127.0.0.1: Address already in use; choose another",
+                      done.stderr)
+        os.link(PROJECT, self.path("alone")) if os.stat(PROJECT).st_dev == os.stat(self.folder).st_dev \
+            else shutil.copy(PROJECT, self.path("alone"))
+        done = subprocess.run([self.path("alone"), "scene.lua", "--preview"], cwd=self.folder, capture_output=True, timeout=60)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn(b"install libmicrohttpd-dev", done.stderr)
+
+    def test_a_plain_render_does_not_open_the_server(self):
+        self.write("scene.lua", BALL)
+        done = self.run_project("scene.lua", "-q", "--spp", "1", env={"LD_DEBUG": "files"})
+        self.assertNotIn(b"rt_preview", done.stderr)
+        self.assertNotIn(b"microhttpd", done.stderr)
 
 
 class Golden(EndToEnd):
@@ -847,7 +985,7 @@ def main():
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes,
-                                                                          Dependencies, Watching, Golden, Comparing, Failures]
+                                                                          Dependencies, Watching, Previewing, Golden, Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

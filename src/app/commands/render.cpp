@@ -1,4 +1,5 @@
 // script -> description -> compiled scene -> tiles -> film -> file.
+#include "../preview/preview_server.h"
 #include "dependency_file.h"
 #include "interrupts.h"
 #include "output_names.h"
@@ -274,15 +275,29 @@ class Batch {
     bool left_ = false;  ///< the run was left before its end
 };
 
+/// Runs once, and shows what came of it until somebody closes the page or a signal comes.
+int shown(Batch& batch, PreviewBoard& board) {
+    board.beginRound();
+    const int code = batch.run();
+    board.endRound();
+    if (Interrupts::exitCode() == 0) {
+        batch.tell("The preview stays until Ctrl-C, or Close on the page");
+        board.waitForStop();
+    }
+    return code;
+}
+
 /// Runs again whenever a file changes, until a signal ends it.
-int watched(Batch& batch) {
+int watched(Batch& batch, PreviewBoard* board) {
     Watcher watcher;
     batch.add(watcher);
     while (true) {
         watcher.beginRound();
+        if (board) board->beginRound();
         batch.run();
         if (Interrupts::exitCode() != 0) return Interrupts::exitCode();
         watcher.endRound();
+        if (board) board->endRound();
         if (!watcher.isStale()) {
             batch.tell("Watching " + std::to_string(watcher.fileCount()) +
                        " files; renders again when one changes; Ctrl-C ends");
@@ -300,7 +315,11 @@ int renderCommand(const Options& options) {
     requireDefaultScene(options);
     Interrupts::handle();
     Batch batch(options);
-    return options.watch ? watched(batch) : batch.run();
+    if (!options.preview) return options.watch ? watched(batch, nullptr) : batch.run();
+    PreviewServer server(options.previewPort, options.watch);
+    batch.add(server.board());
+    batch.tell("Preview: " + server.address());
+    return options.watch ? watched(batch, &server.board()) : shown(batch, server.board());
 }
 
 }  // namespace rt
