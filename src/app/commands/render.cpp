@@ -93,12 +93,14 @@ class Batch {
             const int code = attempt(scene);
             ended_.push_back({scene, code, images_});
             if (code_ == 0) code_ = code;
-            if (left_) return code_;
+            if (left_) break;
             if (code != 0 && (options_.failFast || Interrupts::exitCode() != 0)) break;
         }
+        if (isStale()) return code_;
         if (options_.stats) noteIfAny(writeStats(*options_.stats, stats_));
         // Of a run that failed not all is known: make tries again by the older rules.
-        if (options_.deps && code_ == 0) noteIfAny(writeDependencies(*options_.deps, rules_));
+        if (options_.deps && code_ == 0 && !left_)
+            noteIfAny(writeDependencies(*options_.deps, rules_));
         if (options_.scenes.size() > 1 && !options_.quiet) sumUp();
         return code_;
     }
@@ -108,6 +110,7 @@ class Batch {
         for (const std::string& file : files) renderer_.forget(file);
     }
 
+    void show(const std::string& line) { progress_.message(line); }
     /// A line that --quiet leaves out.
     void tell(const std::string& line) {
         if (!options_.quiet) progress_.message(line);
@@ -318,7 +321,7 @@ int renderCommand(const Options& options) {
     if (!options.preview) return options.watch ? watched(batch, nullptr) : batch.run();
     PreviewServer server(options.previewPort, options.watch);
     batch.add(server.board());
-    batch.tell("Preview: " + server.address());
+    batch.show("Preview: " + server.address());
     return options.watch ? watched(batch, &server.board()) : shown(batch, server.board());
 }
 
