@@ -333,6 +333,8 @@ class Previewing(Followed):
         for host in "example.org", "example.org:%d" % self.port, "127.0.0.1", "127.0.0.1:1", "127.0.0.1.example.org:%d" % self.port:
             self.assertEqual(self.ask("/status.json", host=host)[0], 403, host)
         self.assertEqual(self.ask("/", host="localhost:%d" % self.port)[0], 200)
+        self.assertEqual(self.ask("/status.json", Origin="http://example.org")[0], 403)
+        self.assertEqual(self.ask("/status.json", Origin="http://127.0.0.1:%d" % self.port)[0], 200)
         for path in ("/../scene.lua", "/scene.lua", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/status.json/", "/x" * 500,
                      "/map.png?map=../x", "/pixel.json", "/pixel.json?x=1", "/pixel.json?x=64&y=0", "/pixel.json?x=1e1&y=0",
                      "/pixel.json?x=-1&y=0", "/pixel.json?x=99999999999&y=0"):

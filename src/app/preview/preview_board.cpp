@@ -55,6 +55,9 @@ bool PreviewBoard::isOurHost(const char* host) const {
 
 PreviewAnswer PreviewBoard::answer(const RtPreviewRequest& request) {
     if (!isOurHost(request.host)) return refusal(403, "This page is for 127.0.0.1 only.");
+    if (request.origin && request.origin != "http://" + std::string(request.host)) {
+        return refusal(403, "This is not for other pages.");
+    }
     const std::string path = request.path;
     const std::string method = request.method;
     if (path == "/stop") {
