@@ -71,6 +71,20 @@ TEST_CASE("file watch: other files of the folder do not count, nor files of earl
     CHECK(watch.wait(kMoment).empty());
 }
 
+TEST_CASE("file watch: what the run writes itself does not count, whenever it was added") {
+    const ScratchFolder folder;
+    const std::string a = folder.path("a");
+    const std::string b = folder.path("b");
+    FileWatch watch;
+    watch.ignore(a);
+    round(watch, {a, b});
+    watch.ignore(b);
+    write(a, "1");
+    write(b, "1");
+    CHECK(watch.wait(kMoment).empty());
+    CHECK(watch.size() == 0);
+}
+
 TEST_CASE("file watch: a file in a folder that comes later") {
     for (const auto notices : {FileWatch::Notices::kInotify, FileWatch::Notices::kNever}) {
         const ScratchFolder folder;

@@ -233,6 +233,27 @@ class Watching(Followed):
         self.assertLess(self.interrupt(), 3)
         self.assertEqual(sorted(name for name in os.listdir(self.folder) if "png" in name), ["x.partial.png"])
 
+    def test_an_image_of_one_scene_that_another_reads(self):
+        sky = ("gr.background({%g, 1, 1})\n"
+               "gr.render(gr.node('n'), 't.png', 4, 4, {0,0,9}, {0,0,-1}, {0,1,0}, 50, {1,1,1}, {})")
+        self.texture(0.2)
+        self.write("part.lua", "grey = 1")
+        self.write("m.obj", self.MESH % 0)
+        self.write("scene.lua", self.USING)
+        self.write("sky.lua", sky % 0.2)
+        for number, order in enumerate((("sky.lua", "scene.lua"), ("scene.lua", "sky.lua"))):
+            self.start(*order, "--spp", "1", "--watch")
+            self.hear(self.QUIET)
+            before = self.read("x.png")
+            time.sleep(0.5)
+            self.assertNotIn("Changed", self.hear("$"))
+            self.write("sky.lua", sky % (0.5 + 0.2 * number))
+            self.hear("Changed: .*sky.lua")
+            self.hear(self.QUIET)
+            if order[0] == "sky.lua":
+                self.assertNotEqual(self.read("x.png"), before)
+            self.interrupt()
+
     def test_an_editor_that_empties_the_file_first(self):
         self.write("scene.lua", BALL)
         self.start("scene.lua", "--spp", "1", "--watch")
@@ -297,7 +318,7 @@ class Previewing(Followed):
 
     def test_an_image_refines_and_is_in_the_end_what_its_file_holds(self):
         self.write("scene.lua", EVERYTHING)
-        self.open("scene.lua", "--spp", "2000", "-o", "x.png")
+        self.open("scene.lua", "--spp", "600", "-o", "x.png")
         self.wait_for(lambda status: status["version"] > 0)
         status = self.status()
         self.assertTrue(status["running"])
@@ -312,11 +333,11 @@ class Previewing(Followed):
         self.run_project("compare", "image.png", "x.png", "--tolerance", "0")
         self.run_project("compare", "samples.png", "error.png", "--tolerance", "0", code=10)
         pixel = json.loads(self.ask("/pixel.json?x=40&y=30")[2])
-        self.assertEqual((pixel["x"], pixel["y"], pixel["samples"]), (40, 30, 2000))
+        self.assertEqual((pixel["x"], pixel["y"], pixel["samples"]), (40, 30, 600))
         self.assertEqual(len(pixel["value"]), 3)
         self.assertLess(0, self.status()["largestError"])
         # The same pixels as without anybody who looks on.
-        self.run_project("scene.lua", "-q", "--spp", "2000", "-o", "y.png")
+        self.run_project("scene.lua", "-q", "--spp", "600", "-o", "y.png")
         self.run_project("compare", "x.png", "y.png", "--tolerance", "0")
 
     def test_towards_an_error_the_bytes_are_the_same_too(self):

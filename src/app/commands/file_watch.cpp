@@ -91,6 +91,7 @@ void FileWatch::begin() {
 void FileWatch::add(const std::vector<std::string>& paths) {
     const std::lock_guard lock(mutex_);
     for (const std::string& path : paths) {
+        if (ignored_.count(path) > 0) continue;
         listen(path);
         const auto [entry, isNew] = files_.try_emplace(path);
         entry->second.inRound = true;
@@ -103,6 +104,12 @@ void FileWatch::add(const std::vector<std::string>& paths) {
             entry->second.looks.size = -1;
         }
     }
+}
+
+void FileWatch::ignore(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    ignored_.insert(path);
+    files_.erase(path);
 }
 
 void FileWatch::end() {

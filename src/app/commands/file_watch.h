@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ class FileWatch {
     void begin();
     /// These files matter to the round. One that was known is held against its older looks.
     void add(const std::vector<std::string>& paths);
+    /// A file that does not matter, whoever adds it, before or after.
+    void ignore(const std::string& path);
     /// Forgets the files that the round did not add.
     void end();
 
@@ -64,6 +67,7 @@ class FileWatch {
     int inotify_ = -1;
     bool complete_ = true;  ///< every folder has notices
     std::map<std::string, File> files_;
+    std::set<std::string> ignored_;
     std::int64_t began_ = 0;
 };
 

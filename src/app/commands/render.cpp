@@ -16,10 +16,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -226,6 +228,9 @@ class Batch {
 
     void save(const Picture& picture, const std::string& output) {
         noteIfAny(writeImage(output, picture.image, picture.settings, metadataOf(picture.stats)));
+        // Another scene may read it as a texture, and have done so before.
+        std::error_code failed;
+        renderer_.forget(std::filesystem::weakly_canonical(output, failed).string());
         if (picture.cancelled) {
             progress_.abandon();
             progress_.message("Interrupted; what was rendered so far is in " + output);

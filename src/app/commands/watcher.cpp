@@ -2,6 +2,8 @@
 
 #include "interrupts.h"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace rt {
@@ -54,6 +56,12 @@ void Watcher::ranScript(const std::string& scene, const ScriptFiles& files) {
     files_.add({scene});
     files_.add(files.read);
     files_.add(files.absent);
+}
+
+void Watcher::startsImage(const std::string& output, const PreparedScene&) {
+    std::error_code failed;
+    const auto path = std::filesystem::weakly_canonical(output, failed);
+    if (!failed) files_.ignore(path.string());
 }
 
 }  // namespace rt

@@ -25,6 +25,8 @@ class Watcher : public RunFollower {
     std::size_t fileCount() const { return files_.size(); }
 
     void ranScript(const std::string& scene, const ScriptFiles& files) override;
+    /// What the run writes itself is no reason to run again.
+    void startsImage(const std::string& output, const PreparedScene& prepared) override;
     bool isStale() const override { return stale_; }
 
   private:
