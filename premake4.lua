@@ -65,6 +65,24 @@ local function flag_stamp(name, text)
   return "-include ../build/flags/" .. name .. ".h"
 end
 
+-- A text file as a C++ constant, in a folder of generated files, which it returns.
+local function embed(name, path, header)
+  local folder = "build/generated"
+  os.mkdir(folder)
+  local file = assert(io.open(path))
+  local text = ('constexpr const char* %s = R"embedded(%s)embedded";\n'):format(name, file:read("*a"))
+  file:close()
+  local old = io.open(folder .. "/" .. header)
+  local same = old and old:read("*a") == text
+  if old then old:close() end
+  if not same then
+    local new = assert(io.open(folder .. "/" .. header, "w"))
+    new:write(text)
+    new:close()
+  end
+  return folder
+end
+
 -- A source that has moved or gone leaves an object behind, in its folder and in a library, that make
 -- knows nothing of: the object and the libraries go, too.
 local function source_of(dependencies)
@@ -139,7 +157,8 @@ project "rtcore"
   kind "StaticLib"
   compile("rtcore")
   files { "src/**.cpp", "include/**.h" }
-  excludes { "src/app/*main.cpp", "src/oiio_plugin/**" }
+  excludes { "src/app/*main.cpp", "src/oiio_plugin/**", "src/preview_plugin/**" }
+  includedirs { embed("kPreviewPage", "src/app/preview/preview.html", "preview_page.inc") }
 
 for _, isa in ipairs(KERNEL_NAMES) do
   project("kernel_" .. isa)
@@ -156,6 +175,12 @@ project "rt_oiio"
   compile("rt_oiio")
   files { "src/oiio_plugin/*.cpp" }
   links { "OpenImageIO", "OpenImageIO_Util" }
+
+project "rt_preview"
+  kind "SharedLib"
+  compile("rt_preview")
+  files { "src/preview_plugin/*.cpp" }
+  links { "microhttpd" }
 
 project "Project"
   kind "ConsoleApp"

@@ -4,7 +4,8 @@
 set -eu
 
 needed="g++ make premake4 liblua5.3-dev lua5.3 libglm-dev liblodepng-dev libopenimageio-dev zlib1g-dev
-  libcli11-dev libfmt-dev nlohmann-json3-dev doctest-dev python3"
+  libcli11-dev libfmt-dev nlohmann-json3-dev doctest-dev python3 ninja-build
+  libmicrohttpd-dev"
 
 missing=""
 for package in $needed; do

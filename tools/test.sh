@@ -41,7 +41,7 @@ check "planted faults" python3 tests/golden/planted_faults.py ./Project
 check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \
-        sh tools/build.sh sanitize tests Project rt_oiio
+        sh tools/build.sh sanitize tests Project rt_oiio rt_preview
     check "unit and analytic tests, sanitized" \
         sanitized tools/unit_tests.sh build/sanitize/tests
     check "the program from outside, sanitized" \

@@ -44,6 +44,12 @@ void addOutputRows(Rows& rows) {
                         if (v.empty()) throw UsageError("--stats: the name of the file is empty");
                         o.stats = v;
                     }});
+    rows.push_back({kOutput, "--deps", "FILE",
+                    "write what the images depend on, as rules for make and ninja",
+                    [](Options& o, const std::string& v) {
+                        if (v.empty()) throw UsageError("--deps: the name of the file is empty");
+                        o.deps = v;
+                    }});
 }
 
 std::string sharedText(const OptionRow& row) {
@@ -113,6 +119,17 @@ void addRunRows(Rows& rows) {
     rows.push_back(flag(kRun, "--explain",
                         "say which features the scene uses, and which its render leaves out",
                         &Options::explain));
+    rows.push_back(flag(kRun, "--watch", "render again when a file that the scene uses changes",
+                        &Options::watch));
+    rows.push_back(flag(kRun, "--preview",
+                        "show the image in a browser of this machine while it renders",
+                        &Options::preview));
+    rows.push_back(
+        {kRun, "--preview-port", "N", "port of --preview; default 8318; 0 is any that is free",
+         [](Options& o, const std::string& v) {
+             constexpr int kMostPort = 65535;
+             o.previewPort = static_cast<int>(wholeIn("--preview-port", v, 0, kMostPort));
+         }});
     rows.push_back(flag(kRun, "--fail-fast", "stop at the first of several scenes that fails",
                         &Options::failFast));
 }

@@ -153,9 +153,9 @@ const std::vector<CommandRow>& goldenRows() {
 
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
-    static const std::set<std::string> without = {"-o",        "--crop",        "--frames",
-                                                  "--stats",   "--list-params", "--check",
-                                                  "--explain", "--fail-fast",   "--version"};
+    static const std::set<std::string> without = {
+        "-o",        "--crop",      "--frames",  "--stats", "--deps",    "--list-params", "--check",
+        "--explain", "--fail-fast", "--version", "--watch", "--preview", "--preview-port"};
     return without.count(row.flags) == 0;
 }
 
@@ -164,6 +164,17 @@ void refuseContradictions(const RenderOptions& render) {
     if (render.error || render.time) {
         throw UsageError(std::string("--spp gives every pixel the same number of samples, which ") +
                          (render.error ? "--error" : "--time") + " would choose: say one of them");
+    }
+}
+
+void refuseUnwatchable(const Options& options) {
+    if (!options.watch) return;
+    const auto& scenes = options.scenes;
+    if (std::find(scenes.begin(), scenes.end(), "-") != scenes.end()) {
+        throw UsageError("--watch: a scene from standard input does not change; name its file");
+    }
+    if (options.output == "-") {
+        throw UsageError("--watch: standard output takes one image; name a file with -o");
     }
 }
 
@@ -231,6 +242,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     apply(words, options);
     refuseContradictions(options.render);
     options.scenes = words.others;
+    refuseUnwatchable(options);
     options.defaultScene = options.scenes.empty();
     if (options.defaultScene) options.scenes = {kDefaultScene};
     if (end != arguments.end()) options.scriptArguments.assign(end + 1, arguments.end());

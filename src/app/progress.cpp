@@ -116,11 +116,17 @@ void Progress::startImage() {
     start_ = output_.now();
     fraction_ = 0.0;
     percent_ = -1;
+    error_.reset();
 }
 
 void Progress::update(double fraction) {
     const std::lock_guard lock(mutex_);
     if (!quiet_) advance(fraction);
+}
+
+void Progress::estimate(double error) {
+    const std::lock_guard lock(mutex_);
+    error_ = error;
 }
 
 void Progress::message(const std::string& line) {
@@ -178,18 +184,21 @@ std::string Progress::bar(double secondsLeft, int columns) const {
     const std::string percent =
         std::string(5 - std::min<std::size_t>(number.size(), 5), ' ') + number;
     const std::string time = secondsLeft >= 0.0 ? "  " + clockText(secondsLeft) + " left" : "";
-    // The last column stays free: writing into it wraps on some terminals.
-    const int texts = static_cast<int>(percent.size() + time.size());
-    const int length = std::min(columns - 1 - texts - 3, kLongestBar);
-    if (length < kShortestBar) {
-        const std::string both = percent + time;
-        return static_cast<int>(both.size()) < columns ? both : percent;
-    }
+    const std::string error = error_ ? "  error " + errorText(*error_) : "";
+    // What there is no room for goes: the error first, then the bar, then the time.
+    std::string texts = percent + error + time;
+    const auto lengthBeside = [&] {
+        // The last column stays free: writing into it wraps on some terminals.
+        return std::min(columns - 1 - static_cast<int>(texts.size()) - 3, kLongestBar);
+    };
+    if (lengthBeside() < kShortestBar) texts = percent + time;
+    const int length = lengthBeside();
+    if (length < kShortestBar) return static_cast<int>(texts.size()) < columns ? texts : percent;
     const int filled = static_cast<int>(std::floor(fraction_ * length));
     const std::string done(static_cast<std::size_t>(filled), '=');
     const std::string rest(static_cast<std::size_t>(length - filled), ' ');
     const std::string shown = output_.colors ? kGreen + done + kPlain : done;
-    return "[" + shown + rest + "] " + percent + time;
+    return "[" + shown + rest + "] " + texts;
 }
 
 }  // namespace rt

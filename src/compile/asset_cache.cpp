@@ -17,14 +17,13 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshFileDesc& file,
                                                   double smoothAngleDegrees,
                                                   Diagnostics& diagnostics) {
     const double angle = file.smoothAngle.value_or(smoothAngleDegrees);
-    const auto [entry, added] = files_.try_emplace({file.path, angle});
-    if (added) {
-        MeshOptions options;
-        options.smoothAngleDegrees = angle;
-        options.threads = threads_;
-        entry->second = withTree(loadObj(file.path, options, diagnostics));
-    }
-    return entry->second;
+    const std::pair key(file.path, angle);
+    const auto known = files_.find(key);
+    if (known != files_.end()) return known->second;
+    MeshOptions options;
+    options.smoothAngleDegrees = angle;
+    options.threads = threads_;
+    return files_[key] = withTree(loadObj(file.path, options, diagnostics));
 }
 
 std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, Index key,
@@ -32,30 +31,32 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
                                                   const SourceLocation& where,
                                                   Diagnostics& diagnostics) {
     const double angle = table.smoothAngle.value_or(smoothAngleDegrees);
-    const auto [entry, added] = tables_.try_emplace({key, angle});
-    if (added) {
-        MeshOptions options;
-        options.smoothAngleDegrees = angle;
-        options.threads = threads_;
-        entry->second = withTree(meshFromPolygons(table.vertices, table.corners, table.faceSizes,
-                                                  options, where, diagnostics));
-    }
-    return entry->second;
+    const std::pair entry(key, angle);
+    const auto known = tables_.find(entry);
+    if (known != tables_.end()) return known->second;
+    MeshOptions options;
+    options.smoothAngleDegrees = angle;
+    options.threads = threads_;
+    return tables_[entry] = withTree(meshFromPolygons(
+               table.vertices, table.corners, table.faceSizes, options, where, diagnostics));
 }
 
 std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
                                                  const TextureSettings& settings,
                                                  std::uint64_t maxPixels,
                                                  Diagnostics& diagnostics) {
-    const auto [entry, added] =
-        images_.try_emplace({image.path, settings.flipV, settings.srgb, settings.prefilter});
-    if (added) {
-        ImageLimits limits;
-        limits.maxPixels = maxPixels;
-        entry->second =
-            std::make_shared<const Texture>(loadImage(image.path, limits, diagnostics), settings);
-    }
-    return entry->second;
+    const std::tuple key(image.path, settings.flipV, settings.srgb, settings.prefilter);
+    const auto known = images_.find(key);
+    if (known != images_.end()) return known->second;
+    ImageLimits limits;
+    limits.maxPixels = maxPixels;
+    return images_[key] = std::make_shared<const Texture>(
+               loadImage(image.path, limits, diagnostics), settings);
+}
+
+void AssetCache::forgetFile(const std::string& path) {
+    std::erase_if(files_, [&](const auto& entry) { return entry.first.first == path; });
+    std::erase_if(images_, [&](const auto& entry) { return std::get<0>(entry.first) == path; });
 }
 
 }  // namespace rt

@@ -307,8 +307,7 @@ AdaptivePass Adaptive::doubled(std::uint32_t most) const {
     return pass;
 }
 
-void Adaptive::settleUnclassified(std::size_t pixel) {
-    if (film_.pixels[pixel].samples > 0) return;
+std::optional<Color> Adaptive::meanSeenThroughCorners(std::size_t pixel) const {
     const std::size_t corner = cornerOf(pixel);
     const std::size_t below = corner + lattice_->stride();
     glm::vec3 sum(0.0F);
@@ -318,7 +317,14 @@ void Adaptive::settleUnclassified(std::size_t pixel) {
         sum += lattice_->probes[i].mean();
         ++seen;
     }
-    if (seen > 0) film_.pixels[pixel] = {Color(sum / static_cast<float>(seen)), Color(0.0), 1};
+    if (seen == 0) return std::nullopt;
+    return Color(sum / static_cast<float>(seen));
+}
+
+void Adaptive::settleUnclassified(std::size_t pixel) {
+    if (film_.pixels[pixel].samples > 0) return;
+    const std::optional<Color> mean = meanSeenThroughCorners(pixel);
+    if (mean) film_.pixels[pixel] = {*mean, Color(0.0), 1};
 }
 
 void Adaptive::settle() {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -35,10 +36,11 @@ TraceSettings settingsFor(const RenderJob& job) {
 }
 
 /// Calls trace(ends, values) with a tile's part of the values, row-major, and puts back what it
-/// made of them; not at all where no value lacks samples. `grid` knows the places of rows.
+/// made of them; not at all where no value lacks samples. `grid` knows the places of rows; `guard`,
+/// if not null, is held while values change.
 template <class Grid, class Values, class Trace>
 void onTile(const Tile& tile, const Grid& grid, Values& values,
-            const std::vector<std::uint32_t>& ends, const Trace& trace) {
+            const std::vector<std::uint32_t>& ends, std::mutex* guard, const Trace& trace) {
     const auto width = static_cast<std::size_t>(tile.width());
     const auto anyLacks = [&](int y) {
         const std::size_t row = grid.offset(tile.x0, y);
@@ -61,6 +63,8 @@ void onTile(const Tile& tile, const Grid& grid, Values& values,
         tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + end);
     }
     trace(tileEnds.data(), tileValues.data());
+    const std::unique_lock<std::mutex> lock =
+        guard ? std::unique_lock(*guard) : std::unique_lock<std::mutex>();
     const auto* done = tileValues.data();
     for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
         std::copy(done, done + tile.width(), &values[grid.offset(tile.x0, y)]);
@@ -86,6 +90,7 @@ class Run {
             if (stopped()) return;
             renderTile(index, ends);
             report(from, to);
+            if (job_.onSnapshot) offerSnapshot();
         });
     }
 
@@ -120,6 +125,9 @@ class Run {
         return probes;
     }
 
+    /// How a snapshot is taken during passes; `view` is not called in between.
+    void showAs(std::function<RenderSnapshot()> view) { view_ = std::move(view); }
+
     bool cancelled() const { return job_.cancel && job_.cancel->load(std::memory_order_relaxed); }
     bool outOfTime() const {
         return job_.timeLimit > 0.0 && secondsSince(start_) >= job_.timeLimit;
@@ -148,7 +156,7 @@ class Run {
             job_.kernel->probeTile(scene_, settings_, tile, lattice.spacing, tileEnds, probes,
                                    counts);
         };
-        onTile(tile, lattice, lattice.probes, ends, trace);
+        onTile(tile, lattice, lattice.probes, ends, nullptr, trace);
     }
 
     void renderTile(std::size_t index, const std::vector<std::uint32_t>& ends) {
@@ -156,7 +164,19 @@ class Run {
         const auto trace = [&](const std::uint32_t* tileEnds, PixelState* pixels) {
             job_.kernel->renderTile(scene_, settings_, tile, tileEnds, pixels, counts_[index]);
         };
-        onTile(tile, film_, film_.pixels, ends, trace);
+        onTile(tile, film_, film_.pixels, ends, job_.onSnapshot ? &filmMutex_ : nullptr, trace);
+    }
+
+    /// Nobody waits while another thread takes one.
+    void offerSnapshot() {
+        if (!job_.wantsSnapshot->load(std::memory_order_relaxed)) return;
+        const std::unique_lock taking(snapshotMutex_, std::try_to_lock);
+        if (!taking) return;
+        RenderSnapshot snapshot = [this] {
+            const std::lock_guard lock(filmMutex_);
+            return view_();
+        }();
+        job_.onSnapshot(std::move(snapshot));
     }
 
     void report(double from, double to) {
@@ -178,6 +198,9 @@ class Run {
     std::vector<TraceCounts> probeCounts_;
     Clock::time_point start_ = Clock::now();
     std::mutex progressMutex_;
+    std::mutex filmMutex_;
+    std::mutex snapshotMutex_;
+    std::function<RenderSnapshot()> view_;
     std::size_t tilesDone_ = 0;
 };
 
@@ -185,13 +208,19 @@ std::vector<std::uint32_t> uniform(const Film& film, std::uint64_t samples) {
     return std::vector<std::uint32_t>(film.pixels.size(), static_cast<std::uint32_t>(samples));
 }
 
-/// Exactly spp samples everywhere: in one pass where nothing can interrupt; under a time limit in
-/// passes that double, so that all pixels stay about equally far.
+/// Exactly spp samples everywhere: in one pass where nothing can interrupt; under a time limit, or
+/// where somebody watches, in passes that double, so that all pixels stay about equally far. Each
+/// ends at a half of the next, for a pixel remembers its sum at half of its samples.
 bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
     const int spp = job.settings.spp;
+    run.showAs([&film] { return snapshotOf(film); });
+    int halvings = 0;
+    if (job.timeLimit > 0.0 || job.onSnapshot) {
+        while ((spp >> halvings) > 1) ++halvings;
+    }
     int done = 0;
-    while (done < spp && !run.stopped()) {
-        const int end = job.timeLimit > 0.0 ? std::min(std::max(2 * done, 1), spp) : spp;
+    for (; halvings >= 0 && !run.stopped(); --halvings) {
+        const int end = spp >> halvings;
         run.pass(uniform(film, static_cast<std::uint64_t>(end)), 1.0 * done / spp, 1.0 * end / spp);
         done = end;
     }
@@ -224,6 +253,7 @@ class TowardsTarget {
             fine_ = finePixels(scene, job.area);
         }
         adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr, fine_);
+        run_.showAs([this] { return adaptive_->snapshot(); });
     }
 
     bool render() {
@@ -242,6 +272,7 @@ class TowardsTarget {
         bool reached = false;
         while (!run_.stopped() && !reached) {
             adaptive_->update();
+            if (job_.onEstimate && adaptive_->knowsError()) job_.onEstimate(*errorEstimate());
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
             goal.squaredTarget = allowed * allowed;
             reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
@@ -256,6 +287,8 @@ class TowardsTarget {
         adaptive_->settle();
         return reached;
     }
+
+    RenderSnapshot snapshot() const { return adaptive_->snapshot(); }
 
     /// Nothing where too little was gathered to tell.
     std::optional<double> errorEstimate() const {
@@ -317,10 +350,12 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
     Run run(scene, job, outcome.film);
+    RenderSnapshot last;
     if (job.errorTarget > 0.0) {
         TowardsTarget towards(scene, run, job, outcome.film);
         outcome.converged = towards.render();
         outcome.errorEstimate = towards.errorEstimate();
+        if (job.onSnapshot) last = towards.snapshot();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
         Adaptive estimate(outcome.film, nullptr, {});
@@ -328,11 +363,16 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         if (estimate.knowsError()) {
             outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
         }
+        if (job.onSnapshot) last = estimate.snapshot();
     }
     outcome.counts = run.counts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
     if (outcome.cancelled) outcome.errorEstimate.reset();
+    if (job.onSnapshot) {
+        last.errorEstimate = outcome.errorEstimate;
+        job.onSnapshot(std::move(last));
+    }
     outcome.seconds = run.seconds();
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;

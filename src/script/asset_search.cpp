@@ -34,6 +34,12 @@ void addOnce(std::vector<fs::path>& paths, const fs::path& path) {
     if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
 }
 
+std::vector<std::string> texts(const std::vector<fs::path>& paths) {
+    std::vector<std::string> all;
+    for (const fs::path& path : paths) all.push_back(path.string());
+    return all;
+}
+
 std::string list(const std::vector<fs::path>& paths) {
     std::string text;
     for (const fs::path& path : paths) text += "\n    " + printable(path.string(), 512);
@@ -88,10 +94,10 @@ bool AssetSearch::mayRead(const fs::path& path, const Base* open) const {
 
 AssetSearch::Found AssetSearch::find(const std::string& name, AssetRole role) const {
     const std::string quoted = "'" + printable(name, 512) + "'";
-    if (name.empty()) return {"", "the file name is empty"};
-    if (name.find('\0') != std::string::npos) return {"", quoted + " holds a NUL byte"};
+    if (name.empty()) return {"", "the file name is empty", {}};
+    if (name.find('\0') != std::string::npos) return {"", quoted + " holds a NUL byte", {}};
     if (fs::path(name).is_absolute() && !trust_) {
-        return {"", quoted + " is denied: absolute paths need --trust"};
+        return {"", quoted + " is denied: absolute paths need --trust", {}};
     }
     std::vector<fs::path> missing, denied, strange;
     for (const Candidate& candidate : candidates(name, role)) {
@@ -100,7 +106,7 @@ AssetSearch::Found AssetSearch::find(const std::string& name, AssetRole role) co
         if (!mayRead(path, candidate.open)) {
             addOnce(denied, candidate.path.lexically_normal());
         } else if (fs::is_regular_file(path, failed)) {
-            return {path.string(), ""};
+            return {path.string(), "", texts(missing)};
         } else {
             addOnce(fs::exists(path, failed) ? strange : missing,
                     candidate.path.lexically_normal());
@@ -113,7 +119,7 @@ AssetSearch::Found AssetSearch::find(const std::string& name, AssetRole role) co
             "; denied, outside the folders that a scene may read (see --trust):" + list(denied);
     }
     if (!missing.empty()) message += "; looked for:" + list(missing);
-    return {"", message};
+    return {"", message, texts(missing)};
 }
 
 }  // namespace rt

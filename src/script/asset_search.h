@@ -23,6 +23,7 @@ class AssetSearch {
     struct Found {
         std::string path;   ///< resolved, absolute; empty if there is none
         std::string error;  ///< what was wrong and where it was looked for, if there is none
+        std::vector<std::string> absent;  ///< places that come first, where no file is
     };
     Found find(const std::string& name, AssetRole role) const;
 

@@ -52,7 +52,7 @@ int open(lua_State* state) {
         throw SceneError("io.open: mode " + quoted(mode) +
                          " is not available in the sandbox, only 'r' and 'rb' (see --trust)");
     }
-    const Resolved found = hostOf(state).cage.find(*name);
+    const Resolved found = findFile(state, *name);
     if (found.kind == Resolved::Kind::kOutside) {
         throw SceneError("io.open: " + quoted(*name) +
                          " is outside of the scene's folder (see --trust)");

@@ -68,7 +68,7 @@ std::string pushModuleLoader(lua_State* state, const std::string& module) {
     lua_pop(state, 2);
     std::string tried = "\n\tno field package.preload[" + quoted(module) + "]";
     for (const std::string& file : moduleFiles(state, module)) {
-        const Resolved found = hostOf(state).cage.find(file);
+        const Resolved found = findFile(state, file);
         if (found.kind == Resolved::Kind::kFound) {
             pushFileChunk(state, found.path, file);
             pushText(state, file);
@@ -136,7 +136,7 @@ int require(lua_State* state) {
 /// The chunk of dofile: missing files are errors.
 int pushDofileChunk(lua_State* state) {
     const std::string name = textArgument(state, "dofile");
-    const Resolved found = hostOf(state).cage.find(name);
+    const Resolved found = findFile(state, name);
     if (found.kind == Resolved::Kind::kOutside) throw SceneError("dofile: " + outsideMessage(name));
     if (found.kind == Resolved::Kind::kMissing) {
         throw SceneError("dofile: cannot open " + quoted(name) +
@@ -160,7 +160,7 @@ int doFile(lua_State* state) {
 int loadFile(lua_State* state) {
     const std::string name = textArgument(state, "loadfile");
     const bool hasEnvironment = lua_gettop(state) >= 3;
-    const Resolved found = hostOf(state).cage.find(name);
+    const Resolved found = findFile(state, name);
     if (found.kind == Resolved::Kind::kOutside) {
         throw SceneError("loadfile: " + outsideMessage(name));
     }

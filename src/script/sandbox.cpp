@@ -80,4 +80,19 @@ void noteFileRead(lua_State* state, const std::string& resolvedPath) {
     if (host.filesSeen.insert(resolvedPath).second) host.filesRead.push_back(resolvedPath);
 }
 
+const std::set<std::string>& filesAbsent(lua_State* state) {
+    return hostOf(state).filesAbsent;
+}
+
+Resolved findFile(lua_State* state, const std::string& path) {
+    ScriptHost& host = hostOf(state);
+    const Resolved found = host.cage.find(path);
+    if (found.kind == Resolved::Kind::kMissing && !path.empty() &&
+        path.find('\0') == std::string::npos) {
+        const bool absolute = path.starts_with('/');
+        host.filesAbsent.insert(absolute ? path : host.cage.folder() + "/" + path);
+    }
+    return found;
+}
+
 }  // namespace rt

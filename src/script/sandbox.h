@@ -2,8 +2,10 @@
 // result in every run. Documentation/scripting_cage.md is the description for users.
 #pragma once
 
+#include "cage.h"
 #include "lua_state.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,5 +27,10 @@ std::string sceneFolderOf(const std::string& scriptPath);
 const std::vector<std::string>& filesRead(lua_State* state);
 /// Adds to filesRead: for assets.
 void noteFileRead(lua_State* state, const std::string& resolvedPath);
+
+/// The files that were looked for below the scene's folder and are not there.
+const std::set<std::string>& filesAbsent(lua_State* state);
+/// Cage::find, which remembers what is missing.
+Resolved findFile(lua_State* state, const std::string& path);
 
 }  // namespace rt

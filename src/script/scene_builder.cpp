@@ -115,7 +115,9 @@ std::string SceneBuilder::resolveAsset(const std::string& file, AssetRole role) 
     const auto known = resolvedFiles_.find({file, role});
     if (known != resolvedFiles_.end()) return known->second;
     const AssetSearch::Found found = search_.find(file, role);
+    files_.absent.insert(files_.absent.end(), found.absent.begin(), found.absent.end());
     if (found.path.empty()) fail(found.error);
+    files_.read.push_back(found.path);
     resolvedFiles_[{file, role}] = found.path;
     return found.path;
 }
@@ -232,9 +234,6 @@ ScriptResult SceneBuilder::finish() {
         diagnostics_.warn("no-render", script, "nothing was rendered");
     }
     ScriptResult result;
-    std::set<std::string> files;
-    for (const auto& file : resolvedFiles_) files.insert(file.second);
-    result.filesRead.assign(files.begin(), files.end());
     result.parameters = std::move(parameters_);
     result.scene = std::move(scene_);
     return result;

@@ -91,6 +91,9 @@ class SceneBuilder {
     /// Counts `bytes` of description against the script's memory.
     void charge(std::size_t bytes);
 
+    /// The assets that were looked for.
+    const ScriptFiles& files() const { return files_; }
+
     /// Warns of what was left unsaid, and hands the scene over.
     ScriptResult finish();
 
@@ -110,6 +113,7 @@ class SceneBuilder {
     std::set<std::string> parametersRead_;
 
     AssetSearch search_;
+    ScriptFiles files_;
     Ancestry ancestry_;
     std::map<std::pair<std::string, AssetRole>, std::string> resolvedFiles_;
     std::map<std::pair<std::string, double>, Index> meshes_;

@@ -5,7 +5,8 @@
 #include "sandbox.h"
 #include "scene_builder.h"
 
-#include <algorithm>
+#include <set>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -25,13 +26,27 @@ void setArguments(lua_State* L, const std::string& script,
     assignField(L, globals, "arg");
 }
 
+/// What the state and the builder know, each file once.
+ScriptFiles filesOf(lua_State* L, const SceneBuilder& builder) {
+    ScriptFiles files{filesRead(L), {filesAbsent(L).begin(), filesAbsent(L).end()}};
+    const auto addOnce = [](std::vector<std::string>& to, const std::vector<std::string>& from) {
+        std::set<std::string> known(to.begin(), to.end());
+        for (const std::string& file : from) {
+            if (known.insert(file).second) to.push_back(file);
+        }
+    };
+    addOnce(files.read, builder.files().read);
+    addOnce(files.absent, builder.files().absent);
+    return files;
+}
+
 }  // namespace
 
 ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
-                       Diagnostics& diagnostics) {
+                       Diagnostics& diagnostics, ScriptFiles* files) {
     const std::string folder = sceneFolderOf(path);
     SceneBuilder builder(path, folder, settings, diagnostics);
-    std::vector<std::string> read;
+    ScriptFiles found;
     {
         LuaState lua({settings.memoryLimit, settings.timeLimit});
         openSandbox(lua, {folder, settings.trust, settings.printToStderr});
@@ -41,18 +56,14 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
             lua.runFile(path, settings.arguments);
         } catch (Error& error) {
             error.attach(lua.traceback());
+            if (files) *files = filesOf(lua.get(), builder);
             throw;
         }
-        read = filesRead(lua.get());
+        found = filesOf(lua.get(), builder);
     }
     ScriptResult result = builder.finish();
-    const auto isKnown = [&](const std::string& file) {
-        return std::find(read.begin(), read.end(), file) != read.end();
-    };
-    for (std::string& file : result.filesRead) {
-        if (!isKnown(file)) read.push_back(std::move(file));
-    }
-    result.filesRead = std::move(read);
+    result.filesRead = found.read;
+    if (files) *files = std::move(found);
     return result;
 }
 

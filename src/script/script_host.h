@@ -60,6 +60,7 @@ struct ScriptHost {
     std::vector<std::string> loading;   ///< the modules that are being required, outermost first
     std::vector<std::string> filesRead;
     std::set<std::string> filesSeen;
+    std::set<std::string> filesAbsent;
 };
 
 /// The host of a state, from any of its coroutines.

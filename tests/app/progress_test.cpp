@@ -179,6 +179,26 @@ TEST_CASE("No bar is as wide as its terminal") {
     }
 }
 
+TEST_CASE("The bar shows the error so far where there is room, until the next image") {
+    Screen screen;
+    Progress progress(screen.output(true), false);
+    progress.startImage();
+    screen.clock += 10.0;
+    progress.estimate(0.012345);
+    CHECK(screen.writes.empty());
+    progress.update(0.5);
+    CHECK(holds(screen.writes.back(), " 50 %  error 0.0123  0:10 left"));
+    screen.columns = 30;
+    progress.update(0.6);
+    CHECK(holds(screen.writes.back(), " 60 %  0:07 left"));
+    CHECK_FALSE(holds(screen.writes.back(), "error"));
+    CHECK(holds(screen.writes.back(), "["));
+    screen.columns = 80;
+    progress.startImage();
+    progress.update(0.1);
+    CHECK_FALSE(holds(screen.writes.back(), "error"));
+}
+
 TEST_CASE("A message appears above the bar, which is drawn again") {
     Screen screen;
     Progress progress(screen.output(true), false);

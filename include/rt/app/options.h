@@ -55,6 +55,8 @@ struct GoldenOptions {
     std::string report = "golden_report";     ///< folder
 };
 
+inline constexpr int kPreviewPort = 8318;
+
 struct Options {
     Command command = Command::kRender;
     CompareOptions compare;
@@ -70,6 +72,7 @@ struct Options {
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
     std::optional<std::string> stats;  ///< file
+    std::optional<std::string> deps;   ///< file
 
     int threads = 0;                 ///< 0: as many as this process may use
     std::optional<std::string> isa;  ///< baseline, avx2, avx512; none: the best that runs here
@@ -86,6 +89,9 @@ struct Options {
     bool check = false;
     bool listParams = false;
     bool failFast = false;
+    bool watch = false;
+    bool preview = false;
+    int previewPort = kPreviewPort;  ///< of the loopback address; 0: any that is free
     bool werror = false;
     bool quiet = false;
     bool verbose = false;

@@ -33,7 +33,8 @@ struct RenderSummary {
     std::optional<double> error;  ///< the estimated RMSE
 };
 
-/// Whole percents: a bar with the time left on a terminal, one line for each percent elsewhere.
+/// Whole percents: a bar with the error so far and the time left on a terminal, one line for each
+/// percent elsewhere.
 /// All members may be called from any thread.
 class Progress {
   public:
@@ -49,6 +50,9 @@ class Progress {
     /// The share of the image that is done, in [0,1]; what lies behind the largest so far, and
     /// NaN, is passed over. Cheap where nothing visible changes.
     void update(double fraction);
+
+    /// The estimated RMSE so far, which the bar shows from its next drawing on.
+    void estimate(double error);
 
     /// A line of its own, above the bar.
     void message(const std::string& line);
@@ -72,6 +76,7 @@ class Progress {
     double drawn_ = 0.0;
     double fraction_ = 0.0;
     int percent_ = -1;
+    std::optional<double> error_;
     bool barShown_ = false;
 };
 

@@ -29,6 +29,8 @@ class AssetCache {
 
     /// Forgets what came from a script's tables, not from files: before another script runs.
     void forgetTables() { tables_.clear(); }
+    /// Forgets what came from a file: it has changed.
+    void forgetFile(const std::string& path);
 
   private:
     std::shared_ptr<const MeshShape> withTree(TriangleMesh mesh) const;

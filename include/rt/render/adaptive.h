@@ -19,6 +19,7 @@
 #include "rt/core/zeroed_array.h"
 #include "rt/render/film.h"
 #include "rt/render/smooth_pixels.h"
+#include "rt/render/snapshot.h"
 
 #include <cstdint>
 #include <optional>
@@ -85,6 +86,9 @@ class Adaptive {
     /// through its corners, if anything was.
     void settle();
 
+    /// What there is so far, between two calls of the others; without the image's error.
+    RenderSnapshot snapshot() const;
+
   private:
     struct Work;
 
@@ -103,6 +107,7 @@ class Adaptive {
     void chooseCorners(std::size_t pixel);
     bool isAmongSmooth(std::size_t pixel) const;
     void settleUnclassified(std::size_t pixel);
+    std::optional<Color> meanSeenThroughCorners(std::size_t pixel) const;
     double noiseAround(std::size_t corner) const;
     double doubtOf(std::size_t pixel) const;
     std::vector<float> cornerWeights() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rt/render/film.h"
+#include "rt/render/snapshot.h"
 #include "rt/trace/trace_kernel.h"
 
 #include <atomic>
@@ -23,6 +24,12 @@ struct RenderJob {
     const std::atomic<bool>* cancel = nullptr;
     /// Told the share of the work that is done, from the calling thread or a worker, one at a time.
     std::function<void(double share)> onProgress;
+    /// Told the estimated RMSE so far, between passes towards an error target, where it is known.
+    std::function<void(double error)> onEstimate;
+    /// Told what there is so far whenever `wantsSnapshot` is true, and at the end; from the calling
+    /// thread or a worker, one at a time. The film does not depend on it, to the bit.
+    std::function<void(RenderSnapshot snapshot)> onSnapshot;
+    const std::atomic<bool>* wantsSnapshot = nullptr;
 };
 
 struct RenderOutcome {

@@ -39,9 +39,16 @@ struct ScriptResult {
     std::vector<std::string> filesRead;  ///< script, modules, assets; resolved
 };
 
+/// The files that a run of a script depends on.
+struct ScriptFiles {
+    std::vector<std::string> read;    ///< script, modules, assets; resolved
+    std::vector<std::string> absent;  ///< looked for first, or in vain: would be read if they were
+};
+
 /// Runs `path` ("-" is stdin) from top to bottom and closes Lua. Throws SceneError with the script
-/// line, or LimitError. Warnings go to `diagnostics`.
+/// line, or LimitError. Warnings go to `diagnostics`; `files`, if not null, is filled whatever
+/// happens.
 ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
-                       Diagnostics& diagnostics);
+                       Diagnostics& diagnostics, ScriptFiles* files = nullptr);
 
 }  // namespace rt

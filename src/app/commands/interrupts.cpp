@@ -11,15 +11,17 @@ namespace {
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<bool> deferring{false};
-std::atomic<bool> requestedFlag{false};
+std::atomic<bool> signalled{false};
+std::atomic<bool> stopFlag{false};
 std::atomic<int> firstSignal{0};
 
 extern "C" void onSignal(int signal) {
-    if (!deferring.load() || requestedFlag.exchange(true)) {
+    if (!deferring.load() || signalled.exchange(true)) {
         abandonWrite();
         _exit(128 + signal);
     }
     firstSignal.store(signal);
+    stopFlag.store(true);
 }
 
 /// A reader that goes is an error of the write. Not ignored, which programs that a script starts
@@ -43,11 +45,20 @@ Interrupts::Deferred::Deferred() {
 
 /// What has been asked for stays deferred until the image is saved.
 Interrupts::Deferred::~Deferred() {
-    deferring.store(requestedFlag.load());
+    deferring.store(signalled.load());
 }
 
 const std::atomic<bool>& Interrupts::requested() {
-    return requestedFlag;
+    return stopFlag;
+}
+
+void Interrupts::stopRender() {
+    stopFlag.store(true);
+}
+
+void Interrupts::allowRender() {
+    stopFlag.store(false);
+    if (firstSignal.load() != 0) stopFlag.store(true);
 }
 
 int Interrupts::exitCode() {

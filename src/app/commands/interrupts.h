@@ -21,7 +21,12 @@ class Interrupts {
         Deferred& operator=(const Deferred&) = delete;
     };
 
+    /// True once a render should stop, for a signal or by stopRender.
     static const std::atomic<bool>& requested();
+    /// Stops the render at hand as a signal would, but the program goes on.
+    static void stopRender();
+    /// Lets the next one run, unless there was a signal.
+    static void allowRender();
     /// 128 + the signal's number, or 0.
     static int exitCode();
 };

@@ -1,4 +1,6 @@
 // script -> description -> compiled scene -> tiles -> film -> file.
+#include "../preview/preview_server.h"
+#include "dependency_file.h"
 #include "interrupts.h"
 #include "output_names.h"
 #include "rt/app/commands.h"
@@ -9,12 +11,17 @@
 #include "rt/output/image_writer.h"
 #include "scene_renderer.h"
 #include "scene_report.h"
+#include "watcher.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <iterator>
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,6 +30,9 @@ namespace {
 
 /// A signal came while an image was rendered or saved; it is saved, in part or whole.
 struct Interrupted {};
+
+/// A render was left because a file changed, or somebody stopped it, and the program goes on.
+struct Left {};
 
 /// "name.partial.png", for an image that is not finished; a stream stays what it is.
 std::string partialName(const std::string& name) {
@@ -35,30 +45,83 @@ std::string partialName(const std::string& name) {
     return name.substr(0, dot) + ".partial" + name.substr(dot);
 }
 
+/// The outputs that are files; nothing can depend on a stream.
+std::vector<std::string> imagesOf(const std::vector<std::string>& outputs) {
+    std::vector<std::string> files;
+    std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(files),
+                 [](const std::string& output) { return !isStream(output); });
+    return files;
+}
+
+/// What came of a scene.
+struct EndedScene {
+    std::string name;
+    int code = 0;
+    int images = 0;
+
+    std::string line() const {
+        const std::string count = std::to_string(images) + (images == 1 ? " image" : " images");
+        return printable(name, 300) + ": " +
+               (code == 0 ? "done, " : "failed with exit code " + std::to_string(code) + ", ") +
+               count;
+    }
+};
+
 /// One run of the program over its scenes.
 class Batch {
   public:
     explicit Batch(const Options& options)
         : options_(options),
           renderer_(options),
-          names_(options),
           progress_(standardError(options.color), options.quiet) {}
 
+    /// Called before the first run; it must outlive the last.
+    void add(RunFollower& follower) { followers_.push_back(&follower); }
+
+    /// From anew each time, but that files which were loaded need not be loaded again.
     int run() {
-        if (options_.stats) checkWritable(*options_.stats);
-        progress_.begin(renderer_.threads());
+        names_.emplace(options_);
+        stats_.clear();
+        rules_.clear();
+        ended_.clear();
+        code_ = 0;
+        left_ = false;
+        for (const auto& file : {options_.stats, options_.deps}) {
+            if (file) checkWritable(*file);
+        }
+        if (!begun_) progress_.begin(renderer_.threads());
+        begun_ = true;
         for (const std::string& scene : options_.scenes) {
             const int code = attempt(scene);
+            ended_.push_back({scene, code, images_});
             if (code_ == 0) code_ = code;
+            if (left_) break;
             if (code != 0 && (options_.failFast || Interrupts::exitCode() != 0)) break;
         }
+        if (isStale()) return code_;
         if (options_.stats) noteIfAny(writeStats(*options_.stats, stats_));
+        // Of a run that failed not all is known: make tries again by the older rules.
+        if (options_.deps && code_ == 0 && !left_)
+            noteIfAny(writeDependencies(*options_.deps, rules_));
+        if (options_.scenes.size() > 1 && !options_.quiet) sumUp();
         return code_;
+    }
+
+    /// What came of the renders so far stays; these files are loaded again.
+    void forget(const std::vector<std::string>& files) {
+        for (const std::string& file : files) renderer_.forget(file);
+    }
+
+    void show(const std::string& line) { progress_.message(line); }
+    /// A line that --quiet leaves out.
+    void tell(const std::string& line) {
+        if (!options_.quiet) progress_.message(line);
     }
 
   private:
     int attempt(const std::string& scene) {
         Diagnostics diagnostics;
+        images_ = 0;
         int code = 0;
         try {
             const FrameRange frames = options_.frames.value_or(FrameRange{});
@@ -67,6 +130,9 @@ class Batch {
             }
         } catch (const Interrupted&) {
             code = Interrupts::exitCode();
+        } catch (const Left&) {
+            progress_.abandon();
+            left_ = true;
         } catch (const Error& error) {
             return failed(error, diagnostics);
         } catch (const std::bad_alloc&) {
@@ -84,15 +150,19 @@ class Batch {
     int failed(const Error& error, const Diagnostics& diagnostics) {
         progress_.abandon();
         report(diagnostics);
-        progress_.message(error.shown());
+        say(error.shown());
         if (options_.verbose && !error.details().empty()) progress_.message(error.details());
         return static_cast<int>(error.code());
     }
 
     void runScene(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
-        const ScriptResult script = renderer_.runScript(path, frame, diagnostics);
+        const ScriptResult script = ranScript(path, frame, diagnostics);
         if (options_.listParams) return printParameters(script);
-        const std::vector<std::string> outputs = names_.namesFor(script.scene, frame, diagnostics);
+        const std::vector<std::string> outputs = names_->namesFor(script.scene, frame, diagnostics);
+        rules_.push_back({imagesOf(outputs), script.filesRead});
+        for (const auto& file : {options_.stats, options_.deps}) {
+            if (file) refuseOverwriting(*file, script.filesRead);
+        }
         for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
             refuseOverwriting(outputs[i], script.filesRead);
             renderer_.checkOutput(outputs[i], script.scene.renders[i]);
@@ -102,37 +172,78 @@ class Batch {
         }
     }
 
+    ScriptResult ranScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
+        ScriptFiles files;
+        const auto tell = [&] {
+            for (RunFollower* follower : followers_) follower->ranScript(path, files);
+        };
+        try {
+            ScriptResult script = renderer_.runScript(path, frame, diagnostics, &files);
+            tell();
+            return script;
+        } catch (const Error&) {
+            tell();
+            throw;
+        }
+    }
+
     void renderOne(const SceneDesc& desc, std::size_t index, const std::string& output,
                    Diagnostics& diagnostics) {
         const PreparedScene prepared = renderer_.prepare(desc, index, diagnostics);
         if (options_.explain) progress_.message(explanation(prepared.scene));
         if (options_.check) return;
+        if (isStale()) throw Left{};
 
+        for (RunFollower* follower : followers_) follower->startsImage(output, prepared);
         std::optional<Interrupts::Deferred> deferred(std::in_place);
         Picture picture = rendered(desc, index, prepared, diagnostics);
+        if (picture.cancelled && isStale() && Interrupts::exitCode() == 0) throw Left{};
         // Nobody may be reading a pipe, while a file takes a moment and must not be lost.
         if (isStream(output)) deferred.reset();
         picture.stats.output = output;
         picture.stats.warnings = diagnostics.total();
         save(picture, picture.cancelled ? partialName(output) : output);
+        for (RunFollower* follower : followers_) follower->savedImage(picture);
+        const bool left = picture.cancelled;
         stats_.push_back(std::move(picture.stats));
+        ++images_;
         if (Interrupts::exitCode() != 0) throw Interrupted{};
+        if (left) throw Left{};
+    }
+
+    bool isStale() const {
+        return std::any_of(followers_.begin(), followers_.end(),
+                           [](const RunFollower* follower) { return follower->isStale(); });
     }
 
     Picture rendered(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                      Diagnostics& diagnostics) {
         progress_.startImage();
-        const auto onProgress = [this](double share) { progress_.update(share); };
-        return renderer_.render(desc, index, prepared, onProgress, diagnostics);
+        RenderListener listener;
+        listener.onProgress = [this](double share) { progress_.update(share); };
+        listener.onEstimate = [this](double error) { progress_.estimate(error); };
+        for (RunFollower* follower : followers_) follower->listen(listener);
+        return renderer_.render(desc, index, prepared, listener, diagnostics);
     }
 
     void save(const Picture& picture, const std::string& output) {
         noteIfAny(writeImage(output, picture.image, picture.settings, metadataOf(picture.stats)));
+        // Another scene may read it as a texture, and have done so before.
+        std::error_code failed;
+        renderer_.forget(std::filesystem::weakly_canonical(output, failed).string());
         if (picture.cancelled) {
             progress_.abandon();
             progress_.message("Interrupted; what was rendered so far is in " + output);
         } else {
             progress_.finish({output, picture.stats.renderSeconds, picture.stats.errorEstimate});
+        }
+    }
+
+    /// One line for each scene: a failure may have scrolled away.
+    void sumUp() {
+        for (const EndedScene& ended : ended_) progress_.message(ended.line());
+        for (std::size_t i = ended_.size(); i < options_.scenes.size(); ++i) {
+            progress_.message(printable(options_.scenes[i], 300) + ": not tried");
         }
     }
 
@@ -146,27 +257,77 @@ class Batch {
     }
 
     void report(const Diagnostics& diagnostics) {
-        for (const std::string& line : warningLines(diagnostics)) progress_.message(line);
+        for (const std::string& line : warningLines(diagnostics)) say(line);
+    }
+
+    void say(const std::string& line) {
+        progress_.message(line);
+        for (RunFollower* follower : followers_) follower->said(line);
     }
 
     void noteIfAny(const std::string& sentence) {
-        if (!sentence.empty()) progress_.message("warning: " + sentence);
+        if (!sentence.empty()) say("warning: " + sentence);
     }
 
     const Options& options_;
     SceneRenderer renderer_;
-    OutputNames names_;
+    std::optional<OutputNames> names_;
     Progress progress_;
+    std::vector<RunFollower*> followers_;
     std::vector<RenderStats> stats_;
+    std::vector<DependencyRule> rules_;
+    std::vector<EndedScene> ended_;
+    int images_ = 0;  ///< that the scene at hand has written
     int code_ = 0;
+    bool begun_ = false;
+    bool left_ = false;  ///< the run was left before its end
 };
+
+/// Runs once, and shows what came of it until somebody closes the page or a signal comes.
+int shown(Batch& batch, PreviewBoard& board) {
+    board.beginRound();
+    const int code = batch.run();
+    board.endRound();
+    if (Interrupts::exitCode() == 0) {
+        batch.tell("The preview stays until Ctrl-C, or Close on the page");
+        board.waitForStop();
+    }
+    return code;
+}
+
+/// Runs again whenever a file changes, until a signal ends it.
+int watched(Batch& batch, PreviewBoard* board) {
+    Watcher watcher;
+    batch.add(watcher);
+    while (true) {
+        watcher.beginRound();
+        if (board) board->beginRound();
+        batch.run();
+        if (Interrupts::exitCode() != 0) return Interrupts::exitCode();
+        watcher.endRound();
+        if (board) board->endRound();
+        if (!watcher.isStale()) {
+            batch.tell("Watching " + std::to_string(watcher.fileCount()) +
+                       " files; renders again when one changes; Ctrl-C ends");
+        }
+        const std::vector<std::string> changed = watcher.changes();
+        batch.tell("Changed: " + printable(changed.front(), 300) +
+                   (changed.size() > 1 ? ", ..." : ""));
+        batch.forget(changed);
+    }
+}
 
 }  // namespace
 
 int renderCommand(const Options& options) {
     requireDefaultScene(options);
     Interrupts::handle();
-    return Batch(options).run();
+    Batch batch(options);
+    if (!options.preview) return options.watch ? watched(batch, nullptr) : batch.run();
+    PreviewServer server(options.previewPort, options.watch);
+    batch.add(server.board());
+    batch.show("Preview: " + server.address());
+    return options.watch ? watched(batch, &server.board()) : shown(batch, server.board());
 }
 
 }  // namespace rt

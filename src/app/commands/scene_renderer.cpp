@@ -106,9 +106,9 @@ SceneRenderer::SceneRenderer(const Options& options)
       assets_(threads_) {}
 
 ScriptResult SceneRenderer::runScript(const std::string& path, std::int64_t frame,
-                                      Diagnostics& diagnostics) {
+                                      Diagnostics& diagnostics, ScriptFiles* files) {
     assets_.forgetTables();
-    return rt::runScript(path, scriptSettings(options_, frame), diagnostics);
+    return rt::runScript(path, scriptSettings(options_, frame), diagnostics, files);
 }
 
 PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
@@ -129,9 +129,9 @@ PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
 }
 
 Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
-                              const PreparedScene& prepared, std::function<void(double)> onProgress,
+                              const PreparedScene& prepared, const RenderListener& listener,
                               Diagnostics& diagnostics) const {
-    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, std::move(onProgress));
+    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, listener);
     warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
     Picture picture;
     picture.image = imageOf(outcome.film, areaOf(prepared.scene));
@@ -195,7 +195,7 @@ void SceneRenderer::refuseTooManyPixels(const RenderDesc& render) const {
 }
 
 RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOptions& options,
-                                      std::function<void(double)> onProgress) const {
+                                      const RenderListener& listener) const {
     const SamplingGoal goal = samplingGoal(options);
     RenderJob job;
     job.settings = goal.trace;
@@ -207,7 +207,10 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.timeLimit = goal.timeLimit;
     job.kernel = &kernel_;
     job.cancel = &Interrupts::requested();
-    job.onProgress = std::move(onProgress);
+    job.onProgress = listener.onProgress;
+    job.onEstimate = listener.onEstimate;
+    job.onSnapshot = listener.onSnapshot;
+    job.wantsSnapshot = listener.wantsSnapshot;
     return rt::render(scene, job);
 }
 

@@ -11,6 +11,7 @@
 #include "rt/render/renderer.h"
 #include "rt/script/scene_script.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -34,6 +35,14 @@ struct Picture {
     std::uint64_t nonFinite = 0;  ///< samples; they count as black
 };
 
+/// Who is told how a render goes; see RenderJob. None of them need be there.
+struct RenderListener {
+    std::function<void(double share)> onProgress;
+    std::function<void(double error)> onEstimate;
+    std::function<void(RenderSnapshot snapshot)> onSnapshot;
+    const std::atomic<bool>* wantsSnapshot = nullptr;
+};
+
 /// What a file says about the picture.
 ImageMetadata metadataOf(const RenderStats& stats);
 
@@ -48,23 +57,27 @@ class SceneRenderer {
 
     int threads() const { return threads_; }
 
-    ScriptResult runScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics);
+    /// `files`, if not null, is filled whatever happens.
+    ScriptResult runScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics,
+                           ScriptFiles* files = nullptr);
 
     /// What can be known about an output before there is anything to write.
     void checkOutput(const std::string& output, const RenderDesc& render) const;
 
     PreparedScene prepare(const SceneDesc& desc, std::size_t index, Diagnostics& diagnostics);
 
-    /// `onProgress` is told the share that is done.
     Picture render(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
-                   std::function<void(double)> onProgress, Diagnostics& diagnostics) const;
+                   const RenderListener& listener, Diagnostics& diagnostics) const;
+
+    /// What was loaded from a file is loaded again.
+    void forget(const std::string& file) { assets_.forgetFile(file); }
 
   private:
     RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
                          Diagnostics& diagnostics);
     void refuseTooManyPixels(const RenderDesc& render) const;
     RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
-                           std::function<void(double)> onProgress) const;
+                           const RenderListener& listener) const;
     Tile areaOf(const RenderScene& scene) const;
     RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
                         const RenderOutcome& outcome) const;
