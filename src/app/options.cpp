@@ -153,9 +153,9 @@ const std::vector<CommandRow>& goldenRows() {
 
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
-    static const std::set<std::string> without = {"-o",        "--crop",        "--frames",
-                                                  "--stats",   "--list-params", "--check",
-                                                  "--explain", "--fail-fast",   "--version"};
+    static const std::set<std::string> without = {
+        "-o",      "--crop",    "--frames",    "--stats",  "--aov", "--list-params",
+        "--check", "--explain", "--fail-fast", "--version"};
     return without.count(row.flags) == 0;
 }
 

@@ -263,6 +263,11 @@ class TowardsTarget {
         return std::sqrt(adaptive_->squaredError()) + run_.cutError();
     }
 
+    std::vector<double> pixelErrors() const {
+        if (!adaptive_->knowsError()) return {};
+        return adaptive_->squaredErrors();
+    }
+
   private:
     /// Every other corner, and those between which these leave open.
     ToldPixels probeAll(double share) {
@@ -321,12 +326,14 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         TowardsTarget towards(scene, run, job, outcome.film);
         outcome.converged = towards.render();
         outcome.errorEstimate = towards.errorEstimate();
+        if (job.wantsPixelErrors) outcome.pixelErrors = towards.pixelErrors();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
         Adaptive estimate(outcome.film, nullptr, {});
         estimate.update();
         if (estimate.knowsError()) {
             outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
+            if (job.wantsPixelErrors) outcome.pixelErrors = estimate.squaredErrors();
         }
     }
     outcome.counts = run.counts();

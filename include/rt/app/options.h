@@ -1,6 +1,7 @@
 // The command line: what was asked for, and the one table that says what can be asked for.
 #pragma once
 
+#include "rt/app/aov.h"
 #include "rt/scene/render_options.h"
 
 #include <cstddef>
@@ -69,6 +70,7 @@ struct Options {
     std::optional<ImageSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
+    std::vector<Aov> aovs;             ///< in the order of the table, each once
     std::optional<std::string> stats;  ///< file
 
     int threads = 0;                 ///< 0: as many as this process may use

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace rt {
 
@@ -19,6 +20,7 @@ struct RenderJob {
     /// samples a pixel, and settings.spp is the most that a pixel gets otherwise.
     double errorTarget = 0.0;
     bool adaptive = true;  ///< towards an error target: more samples where they help most
+    bool wantsPixelErrors = false;
     const TraceKernel* kernel = nullptr;
     const std::atomic<bool>* cancel = nullptr;
     /// Told the share of the work that is done, from the calling thread or a worker, one at a time.
@@ -34,6 +36,9 @@ struct RenderOutcome {
     double cpuSeconds = 0.0;
     /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.
     std::optional<double> errorEstimate;
+    /// Where they were asked for and are known: the estimated squared error of each pixel, whose
+    /// mean is the square of the estimate less what was cut.
+    std::vector<double> pixelErrors;
     bool cancelled = false;
     bool outOfTime = false;
     bool converged = false;  ///< all that was asked for was reached

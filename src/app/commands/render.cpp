@@ -94,7 +94,9 @@ class Batch {
         if (options_.listParams) return printParameters(script);
         const std::vector<std::string> outputs = names_.namesFor(script.scene, frame, diagnostics);
         for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
-            refuseOverwriting(outputs[i], script.filesRead);
+            for (const std::string& file : imageFiles(outputs[i], namesOf(options_.aovs))) {
+                refuseOverwriting(file, script.filesRead);
+            }
             renderer_.checkOutput(outputs[i], script.scene.renders[i]);
         }
         for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "rt/core/error.h"
 #include "rt/core/parallel.h"
 #include "rt/core/text.h"
+#include "rt/render/first_hits.h"
 #include "rt/render/kernel_choice.h"
 #include "scene_report.h"
 
@@ -135,6 +136,7 @@ Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
     warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
     Picture picture;
     picture.image = imageOf(outcome.film, areaOf(prepared.scene));
+    if (!outcome.cancelled) picture.image.planes = planesBeside(outcome, prepared);
     picture.settings = imageSettings(prepared.options);
     picture.stats = statsOf(prepared.scene, prepared.options, outcome);
     picture.stats.scene = desc.name;
@@ -143,6 +145,17 @@ Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
     picture.nonFinite = outcome.counts.nonFinite;
     warnIfNotConverged(picture.stats, desc.renders[index], diagnostics);
     return picture;
+}
+
+std::vector<ImagePlane> SceneRenderer::planesBeside(const RenderOutcome& outcome,
+                                                    const PreparedScene& prepared) const {
+    const Tile area = areaOf(prepared.scene);
+    std::vector<FirstHit> hits;
+    if (std::any_of(options_.aovs.begin(), options_.aovs.end(), isFirstHit)) {
+        hits = firstHits(prepared.scene, samplingGoal(prepared.options).trace, area, threads_,
+                         kernel_);
+    }
+    return planesOf(options_.aovs, {outcome.film, outcome.pixelErrors, hits}, area);
 }
 
 ImageMetadata metadataOf(const RenderStats& stats) {
@@ -162,7 +175,7 @@ void SceneRenderer::checkOutput(const std::string& output, const RenderDesc& ren
         size = {crop.x1 - crop.x0, crop.y1 - crop.y0};
     }
     checkImageOutput(output, size.width, size.height,
-                     imageSettings(options_.render.over(render.options)));
+                     imageSettings(options_.render.over(render.options)), namesOf(options_.aovs));
 }
 
 RenderScene SceneRenderer::compiled(const SceneDesc& desc, std::size_t index,
@@ -203,6 +216,8 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.adaptive = goal.adaptive;
     // Towards an error target a pixel's samples depend on the whole image's error.
     job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
+    job.wantsPixelErrors =
+        std::find(options_.aovs.begin(), options_.aovs.end(), Aov::kError) != options_.aovs.end();
     job.threads = threads_;
     job.timeLimit = goal.timeLimit;
     job.kernel = &kernel_;

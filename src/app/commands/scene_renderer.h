@@ -65,6 +65,8 @@ class SceneRenderer {
     void refuseTooManyPixels(const RenderDesc& render) const;
     RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
                            std::function<void(double)> onProgress) const;
+    std::vector<ImagePlane> planesBeside(const RenderOutcome& outcome,
+                                         const PreparedScene& prepared) const;
     Tile areaOf(const RenderScene& scene) const;
     RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
                         const RenderOutcome& outcome) const;
