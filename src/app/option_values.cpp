@@ -125,6 +125,15 @@ FrameRange framesFrom(const std::string& flag, const std::string& text) {
     return {ends[0], ends[1]};
 }
 
+Shard shardFrom(const std::string& flag, const std::string& text) {
+    const std::vector<std::int64_t> parts = wholes(split(text, '/'), 1, kMostShards);
+    if (parts.size() != 2 || parts[0] > parts[1]) {
+        refuseValue(flag, text,
+                    "must be i/n with whole numbers 1 <= i <= n <= " + std::to_string(kMostShards));
+    }
+    return {static_cast<int>(parts[0]), static_cast<int>(parts[1])};
+}
+
 std::vector<Aov> aovsFrom(const std::string& flag, const std::string& text) {
     std::set<Aov> aovs;
     for (const std::string& name : split(text, ',')) {

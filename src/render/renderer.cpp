@@ -12,6 +12,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace rt {
 namespace {
@@ -83,7 +84,7 @@ class Run {
     void pass(const std::vector<std::uint32_t>& ends, double from, double to) {
         tilesDone_ = 0;
         forEachIndex(tiles_.size(), job_.threads, [&](std::size_t index, int) {
-            if (stopped()) return;
+            if (stopped() || !rendersTile(index)) return;
             renderTile(index, ends);
             report(from, to);
         });
@@ -141,7 +142,16 @@ class Run {
         return total.cutBound / std::max(1.0, static_cast<double>(total.rays.camera));
     }
 
+    const std::vector<TraceCounts>& tileCounts() const { return counts_; }
+
   private:
+    bool rendersTile(std::size_t index) const {
+        return job_.errorTarget > 0.0 || job_.shard.owns(index);
+    }
+
+    /// Of how many tiles one is rendered.
+    double shareOfTiles() const { return job_.errorTarget > 0.0 ? 1.0 : job_.shard.count; }
+
     void probeTile(const Tile& tile, const std::vector<std::uint32_t>& ends, Lattice& lattice,
                    TraceCounts& counts) {
         const auto trace = [&](const std::uint32_t* tileEnds, Probe* probes) {
@@ -163,7 +173,8 @@ class Run {
         if (!job_.onProgress) return;
         const std::lock_guard lock(progressMutex_);
         ++tilesDone_;
-        const double done = static_cast<double>(tilesDone_) / static_cast<double>(tiles_.size());
+        const double tiles = static_cast<double>(tiles_.size()) / shareOfTiles();
+        const double done = std::min(static_cast<double>(tilesDone_) / tiles, 1.0);
         double share = from + (to - from) * done;
         if (job_.timeLimit > 0.0) share = std::max(share, seconds() / job_.timeLimit);
         job_.onProgress(std::min(share, 1.0));
@@ -318,6 +329,13 @@ void TraceCounts::add(const TraceCounts& other) {
     nonFinite += other.nonFinite;
 }
 
+std::optional<UniformError> uniformError(Film& film) {
+    Adaptive estimate(film, nullptr, {});
+    estimate.update();
+    if (!estimate.knowsError()) return std::nullopt;
+    return UniformError{std::sqrt(estimate.squaredError()), estimate.squaredErrors()};
+}
+
 RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
@@ -329,14 +347,13 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         if (job.wantsPixelErrors) outcome.pixelErrors = towards.pixelErrors();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
-        Adaptive estimate(outcome.film, nullptr, {});
-        estimate.update();
-        if (estimate.knowsError()) {
-            outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
-            if (job.wantsPixelErrors) outcome.pixelErrors = estimate.squaredErrors();
+        if (std::optional<UniformError> error = uniformError(outcome.film)) {
+            outcome.errorEstimate = error->rmse + run.cutError();
+            if (job.wantsPixelErrors) outcome.pixelErrors = std::move(error->squared);
         }
     }
     outcome.counts = run.counts();
+    outcome.tileCounts = run.tileCounts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
     if (outcome.cancelled) outcome.errorEstimate.reset();

@@ -484,6 +484,83 @@ class Scenes(EndToEnd):
             self.assertLessEqual(abs(a - b), render["cut_error_bound"] + 1e-3)
         self.assertLess(render["cut_error_bound"], 1e-2)
 
+class Shards(EndToEnd):
+    SIZE = ("--size", "70x50")
+
+    def setUp(self):
+        super().setUp()
+        self.write("scene.lua", EVERYTHING)
+
+    def merged(self, count, *words):
+        parts = []
+        for i in range(1, count + 1):
+            self.run_project("scene.lua", "-q", *self.SIZE, *words, "--shard", "%d/%d" % (i, count), "-o", "m.png",
+                             "-j", str(1 + i % 3))
+            parts.append("m.%d-of-%d.part" % (i, count))
+        return parts
+
+    def test_shards_have_the_bytes_of_the_whole_in_every_format(self):
+        aov = ("--aov", "depth,uv,samples,error")
+        for words in (("--spp", "4"), ("--error", "0.03"), ("--spp", "3", "--crop", "5,9,50,47", "--seed", "7"),
+                      ("--error", "0.03", "--crop", "5,9,50,47"), ("--spp", "1", "--cutoff", "0.1")):
+            parts = self.merged(3, *words, *aov)
+            for ending in "png", "exr", "pfm", "hdr", "tif":
+                with self.subTest(" ".join(words) + " " + ending):
+                    self.run_project("scene.lua", "-q", *self.SIZE, *words, *aov, "-o", "w." + ending)
+                    self.run_project("merge", "m." + ending, *reversed(parts))
+                    self.assertEqual(self.read("w." + ending), self.read("m." + ending))
+                    for name in aov[1].split(",") if ending != "exr" else ():
+                        self.assertEqual(self.read("w.%s.pfm" % name), self.read("m.%s.pfm" % name))
+
+    def test_more_shards_than_tiles_are_as_good(self):
+        parts = self.merged(23, "--spp", "2", "--bits", "16")
+        self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "2", "--bits", "16", "-o", "w.png")
+        self.run_project("merge", "m.png", *parts)
+        self.assertEqual(self.read("w.png"), self.read("m.png"))
+
+    def test_a_shard_renders_its_own_tiles_only(self):
+        rays = []
+        for i in "1", "2":
+            self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "2", "--shard", i + "/2", "-o", "m.png", "--stats", "s")
+            stats = json.loads(self.read("s"))["renders"][0]
+            rays.append(stats["rays"]["camera"])
+            self.assertEqual((stats["spp_min"], stats["spp_max"]), (2, 2))
+        self.assertEqual(sum(rays), 70 * 50 * 2)
+        self.assertLess(max(rays) - min(rays), 70 * 50 / 2)
+
+    def test_a_task_that_runs_again_writes_the_same_bytes_from_any_folder(self):
+        self.merged(2, "--spp", "1")
+        first = self.read("m.1-of-2.part")
+        self.write("elsewhere/scene.lua", EVERYTHING)
+        os.chdir(self.path("elsewhere"))
+        self.addCleanup(os.chdir, TOP)
+        self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "1", "--shard", "1/2", "-o", "again.part")
+        self.assertEqual(first, self.read("again.part"))
+
+    def test_an_interrupted_shard_is_not_written(self):
+        child = subprocess.Popen([PROJECT, "scene.lua", "--spp", "100000", "--shard", "1/2"], cwd=self.folder,
+                                 stderr=subprocess.PIPE)
+        self.assertIn(b"Threads", child.stderr.readline())
+        time.sleep(0.5)
+        child.send_signal(signal.SIGINT)
+        errors = child.communicate()[1]
+        self.assertEqual(child.returncode, 130)
+        self.assertIn(b"not written", errors)
+        self.assertEqual(os.listdir(self.folder), ["scene.lua"])
+
+    def test_damage_is_found_wherever_it_is(self):
+        parts = self.merged(2, "--spp", "1", "--size", "20x20")
+        whole = self.read(parts[0])
+        damaged = [whole[:i] for i in range(0, len(whole), 1009)]
+        for i in [*range(0, 120, 3), *range(120, len(whole), 997)]:
+            damaged.append(whole[:i] + bytes([whole[i] ^ 1 << i % 8]) + whole[i + 1:])
+        for data in damaged:
+            with open(self.path(parts[0]), "wb") as f:
+                f.write(data)
+            self.assertIn(b"m.1-of-2.part", self.run_project("merge", "m.png", *parts, code=1).stderr)
+        self.assertFalse(os.path.exists(self.path("m.png")))
+
+
 class Golden(EndToEnd):
     """The golden command: what passes, what fails, and what it writes."""
 
@@ -687,7 +764,7 @@ def main():
     global PROJECT
     PROJECT = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Golden,
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, Scenes, Shards, Golden,
                                                                           Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))

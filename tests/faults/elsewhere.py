@@ -11,7 +11,6 @@ ELSEWHERE = {
     "K10": ("tests/app/output_names_test.cpp", "two frames never share a file"),
 }
 ABSENT = {
-    "A12": "--shard",
     "B11": "--watch",
     "G12": ".tx files are no images that are read",
     "G14": "{colorspace=}: what an image is used for says how it is read",
@@ -23,9 +22,6 @@ ABSENT = {
     "K1": "checkpoints",
     "K2": "checkpoints",
     "K3": "checkpoints",
-    "K4": "shards",
-    "K5": "shards",
-    "K9": "checkpoints",
     "K11": "--preview",
     "K12": "tev",
 }

@@ -13,7 +13,8 @@ namespace rt {
 
 struct RenderJob {
     TraceSettings settings;
-    Tile area;  ///< of the image; what lies outside is not rendered
+    Tile area;    ///< of the image; what lies outside is not rendered
+    Shard shard;  ///< of the area's tiles; towards an error target all are rendered, for all decide
     int threads = 1;
     double timeLimit = 0.0;  ///< seconds; 0 = none
     /// Sample until the estimated RMSE of the area is at most this; 0 = exactly settings.spp
@@ -32,6 +33,7 @@ struct RenderOutcome {
 
     Film film;
     TraceCounts counts;
+    std::vector<TraceCounts> tileCounts;  ///< of the area's tiles, without probes
     double seconds = 0.0;
     double cpuSeconds = 0.0;
     /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.
@@ -43,6 +45,15 @@ struct RenderOutcome {
     bool outOfTime = false;
     bool converged = false;  ///< all that was asked for was reached
 };
+
+/// What the samples of a film say of its error, where each pixel has its own: the estimated RMSE,
+/// but for what was cut, and the squared error of each pixel. Nothing where a pixel has less than
+/// two.
+struct UniformError {
+    double rmse = 0.0;
+    std::vector<double> squared;
+};
+std::optional<UniformError> uniformError(Film& film);
 
 /// The same film, to the bit, for any number of threads and any kernel, unless it is cancelled or
 /// runs out of time: then some pixels have fewer samples, or none. Without an error target a pixel
