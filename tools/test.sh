@@ -9,10 +9,12 @@ failed=0
 # check NAME COMMAND...: runs one suite and counts it.
 check() {
     name=$1
+    began=$(date +%s)
     shift
     echo "== $name"
     if "$@"; then
         passed=$((passed + 1))
+        echo "$(($(date +%s) - began)) s: $name"
     else
         failed=$((failed + 1))
         echo "FAILED: $name"
@@ -29,7 +31,7 @@ sh tools/setup.sh || exit 1
 check "build (release)" sh tools/build.sh release
 check "include rules" lua5.3 tests/architecture/include_rules.lua
 check "sealed kernels" sh tests/architecture/sealed_kernels.sh
-check "unit and analytic tests" build/release/tests --minimal
+check "unit and analytic tests" tools/unit_tests.sh build/release/tests
 check "certified ray cases" python3 tests/vectors/check.py build/intersect
 check "the program from outside" python3 tests/end_to_end/run.py ./Project
 check "bad input and faults" python3 tests/faults/run.py ./Project
@@ -40,7 +42,8 @@ check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \
         sh tools/build.sh sanitize tests Project rt_oiio
-    check "unit and analytic tests, sanitized" sanitized build/sanitize/tests --minimal
+    check "unit and analytic tests, sanitized" \
+        sanitized tools/unit_tests.sh build/sanitize/tests
     check "the program from outside, sanitized" \
         sanitized python3 tests/end_to_end/run.py build/sanitize/Project
     check "bad input and faults, sanitized" \

@@ -1,5 +1,7 @@
 #include "rt/render/fine_pixels.h"
 
+#include "sharp_points.h"
+
 #include "rt/math/portable.h"
 #include "rt/trace/probe.h"
 
@@ -17,20 +19,28 @@ constexpr double kLongestTube = 1 << 20;
 
 constexpr double kTurn = 6.283185307179586;
 
+/// A corner of an outline may show in the pixel next to its own.
+constexpr double kAroundCorner = 0.5;
+
 /// Nothing nearer than this share of its distance to the eye's plane is projected.
 constexpr double kNearest = 0x1p-20;
 
-/// The corners of an instance's box on the image plane; false where some lie beside or behind the
-/// eye.
-bool project(const RenderScene& scene, const Instance& instance, std::array<Vec2, 8>& points) {
-    const Bounds box = boundsOf(scene.shapes[instance.shape]);
+/// A point of an instance on the image plane; false where it lies beside or behind the eye.
+bool project(const Camera& camera, const Instance& instance, const Vec3& point, Vec2& image) {
+    const Vec3 world = instance.transform.toWorld().point(point);
+    const Camera::Projection at = camera.project(world);
+    image = {at.x, at.y};
+    return at.depth > kNearest * glm::length(world - camera.eye());
+}
+
+/// The corners of a box of an instance on the image plane; false where some lie beside or behind
+/// the eye.
+bool project(const Camera& camera, const Instance& instance, const Bounds& box,
+             std::array<Vec2, 8>& points) {
     for (std::size_t i = 0; i < 8; ++i) {
         const Vec3 corner(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
                           i & 4 ? box.max.z : box.min.z);
-        const Vec3 world = instance.transform.toWorld().point(corner);
-        const Camera::Projection at = scene.camera.project(world);
-        if (!(at.depth > kNearest * glm::length(world - scene.camera.eye()))) return false;
-        points[i] = {at.x, at.y};
+        if (!project(camera, instance, corner, points[i])) return false;
     }
     return true;
 }
@@ -128,18 +138,55 @@ void markNarrowTube(const RenderScene& scene, const Instance& instance, const To
     }
 }
 
+/// Marks the pixels about a cone's apex across which it is as narrow.
+void markTip(const Camera& camera, const Instance& instance, const Cone& cone, const Tile& area,
+             std::vector<bool>& fine) {
+    const Bounds whole = cone.bounds();
+    const Vec3 middle = 0.5 * (whole.min + whole.max);
+    Vec2 image;
+    const Vec3 apex = instance.transform.toWorld().point({middle.x, whole.min.y, middle.z});
+    if (!project(camera, instance, {middle.x, whole.min.y, middle.z}, image)) return;
+    const double pixel = camera.pixelSize() * camera.project(apex).depth * instance.objectScale;
+    const double share = std::min(1.0, kNarrowPixels * pixel / (whole.max.x - whole.min.x));
+    const Vec3 half = 0.5 * share * (whole.max - whole.min);
+    const Bounds tip{{middle.x - half.x, whole.min.y, middle.z - half.z},
+                     {middle.x + half.x, whole.min.y + 2.0 * half.y, middle.z + half.z}};
+    std::array<Vec2, 8> points;
+    if (project(camera, instance, tip, points)) mark(points, narrowest(points), area, fine);
+}
+
+/// Marks the pixels about the corners of an outline, which may lie between the corners of pixels.
+void markSharpPoints(const RenderScene& scene, const Instance& instance, const Tile& area,
+                     std::vector<Vec3>& sharp, std::vector<bool>& fine) {
+    sharp.clear();
+    addSharpPoints(scene.shapes[instance.shape],
+                   instance.transform.toObject().point(scene.camera.eye()), sharp);
+    for (const Vec3& point : sharp) {
+        Vec2 at;
+        if (!project(scene.camera, instance, point, at)) continue;
+        const std::array<Vec2, 2> square = {at - kAroundCorner, at + kAroundCorner};
+        mark(square, kEverywhere, area, fine);
+    }
+}
+
 }  // namespace
 
 std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
     std::vector<bool> fine(static_cast<std::size_t>(area.width()) *
                            static_cast<std::size_t>(area.height()));
+    std::vector<Vec3> sharp;
     for (const Instance& instance : scene.instances) {
+        const Shape& shape = scene.shapes[instance.shape];
+        markSharpPoints(scene, instance, area, sharp, fine);
+        if (const auto* cone = std::get_if<Cone>(&shape)) {
+            markTip(scene.camera, instance, *cone, area, fine);
+        }
         std::array<Vec2, 8> points;
-        if (!project(scene, instance, points)) continue;
+        if (!project(scene.camera, instance, boundsOf(shape), points)) continue;
         const Strip strip = narrowest(points);
         if (strip.width() < kNarrowPixels) {
             mark(points, strip, area, fine);
-        } else if (const auto* torus = std::get_if<Torus>(&scene.shapes[instance.shape])) {
+        } else if (const auto* torus = std::get_if<Torus>(&shape)) {
             markNarrowTube(scene, instance, *torus, area, fine);
         }
     }

@@ -101,10 +101,12 @@ SourceLocation takeLocation(const ScriptHost& host, std::string& text) {
     return {};
 }
 
-[[noreturn]] void throwFailure(const ScriptHost& host) {
+/// `unknownLine` is where a failure that names no line happened.
+[[noreturn]] void throwFailure(const ScriptHost& host, const SourceLocation& unknownLine) {
     if (host.time.expired) throw LimitError(host.time.message, host.time.where);
     std::string text = host.failure.text;
-    const SourceLocation where = takeLocation(host, text);
+    SourceLocation where = takeLocation(host, text);
+    if (where.file.empty()) where = unknownLine;
     text = printable(text, kMostOfMessage - std::min(kMostOfMessage, where.prefix().size()));
     switch (host.failure.code) {
         case ExitCode::kScene:
@@ -175,14 +177,17 @@ void callFromOutside(lua_State* state, int arguments, int results) {
     const int status = lua_pcall(state, arguments, results, function);
     lua_remove(state, function);
     if (status == LUA_OK) return;
+    SourceLocation unknownLine;
     if (!host.failure.known) {
         // Lua calls no handler when memory or the C stack is at its end.
         const std::string raised = toText(state, -1).value_or("error in error handling");
         const ExitCode code = codeOf(host, raised);
         host.failure = {true, raised, code, messageFor(state, raised, code), ""};
+        // The stack is unwound: where no line is known, the script's name at least.
+        if (!host.chunks.empty()) unknownLine.file = printable(host.chunks.front());
     }
     lua_pop(state, 1);
-    throwFailure(host);
+    throwFailure(host, unknownLine);
 }
 
 }  // namespace rt

@@ -9,7 +9,8 @@
 namespace rt {
 
 /// Row by row of `area`: the pixels that the box of an instance may cover that is less than some
-/// pixels wide in the picture, in any direction. Corners alone could miss it.
+/// pixels wide in the picture, in any direction, and those in which an outline comes to a point.
+/// Corners alone could miss either.
 std::vector<bool> finePixels(const RenderScene& scene, const Tile& area);
 
 }  // namespace rt
