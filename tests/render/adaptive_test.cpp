@@ -166,12 +166,6 @@ TEST_CASE("pixels are sampled where surfaces, sharp shadows, detail or folds com
         l.probes[l.offset(5, 4)].lit = 2;
         l.probes[l.offset(4, 5)].dark = 2;
     }));
-    // A leaf that a corner of a pixel beside it saw.
-    CHECK(sampledNear([](Lattice& l) { l.probes[l.offset(3, 6)].marks |= kProbeLeaf; }));
-    CHECK_FALSE(sampledNear([](Lattice& l) { l.probes[l.offset(2, 5)].marks |= kProbeLeaf; }));
-    CHECK_FALSE(sampledNear([](Lattice& l) {
-        for (Probe& probe : l.probes) probe.marks |= kProbeLeaf;
-    }));
     CHECK(sampledNear([](Lattice& l) {
         for (Probe& probe : l.probes) {
             probe.marks |= kProbeHit;
