@@ -253,6 +253,7 @@ class TowardsTarget {
         bool reached = false;
         while (!run_.stopped() && !reached) {
             adaptive_->update();
+            passes_.push_back({run_.counts().rays.camera, errorEstimate(), run_.seconds()});
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
             goal.squaredTarget = allowed * allowed;
             reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
@@ -273,6 +274,8 @@ class TowardsTarget {
         if (!adaptive_->knowsError()) return std::nullopt;
         return std::sqrt(adaptive_->squaredError()) + run_.cutError();
     }
+
+    const std::vector<PassRecord>& passes() const { return passes_; }
 
     std::vector<double> pixelErrors() const {
         if (!adaptive_->knowsError()) return {};
@@ -311,6 +314,7 @@ class TowardsTarget {
     std::optional<Lattice> lattice_;
     std::vector<bool> fine_;
     std::optional<Adaptive> adaptive_;
+    std::vector<PassRecord> passes_;
 };
 
 }  // namespace
@@ -345,6 +349,7 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         outcome.converged = towards.render();
         outcome.errorEstimate = towards.errorEstimate();
         if (job.wantsPixelErrors) outcome.pixelErrors = towards.pixelErrors();
+        outcome.passes = towards.passes();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
         if (std::optional<UniformError> error = uniformError(outcome.film)) {
@@ -358,6 +363,9 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     outcome.outOfTime = run.outOfTime();
     if (outcome.cancelled) outcome.errorEstimate.reset();
     outcome.seconds = run.seconds();
+    if (!(job.errorTarget > 0.0)) {
+        outcome.passes = {{outcome.counts.rays.camera, outcome.errorEstimate, outcome.seconds}};
+    }
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;
 }

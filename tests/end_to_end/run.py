@@ -255,11 +255,22 @@ class Rendering(EndToEnd):
         render = stats["renders"][0]
         for key in ("scene output width height threads seed spp_mean spp_min spp_max error_estimate error_target "
                     "converged triangles primitives instances lights build_seconds render_seconds cpu_seconds "
-                    "peak_rss_bytes rays cut_paths cut_error_bound features skipped warnings").split():
+                    "peak_rss_bytes rays cut_paths cut_error_bound passes features skipped warnings").split():
             self.assertIn(key, render)
         self.assertEqual((render["triangles"], render["primitives"], render["instances"], render["lights"]),
                          (4, 5, 6, 2))
         self.assertGreater(render["rays"]["refraction"], 0)
+        last = render["passes"][-1]
+        self.assertEqual((last["samples"], last["error_estimate"]), (render["rays"]["camera"], render["error_estimate"]))
+        self.run_project("scene.lua", "-q", "--error", "0.01", "--stats", "stats.json")
+        render = json.loads(self.read("stats.json"))["renders"][0]
+        samples = [one["samples"] for one in render["passes"]]
+        seconds = [one["seconds"] for one in render["passes"]]
+        self.assertGreater(len(samples), 1)
+        self.assertEqual(samples, sorted(set(samples)))
+        self.assertEqual(seconds, sorted(seconds))
+        last = render["passes"][-1]
+        self.assertEqual((last["samples"], last["error_estimate"]), (render["rays"]["camera"], render["error_estimate"]))
         self.assertGreater(render["peak_rss_bytes"], 1000000)
 
     def test_explain_says_what_was_left_out(self):

@@ -5,6 +5,7 @@
 #include "rt/trace/trace_kernel.h"
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -28,12 +29,20 @@ struct RenderJob {
     std::function<void(double share)> onProgress;
 };
 
+/// Where a render stood after a pass.
+struct PassRecord {
+    std::uint64_t samples = 0;  ///< camera rays so far
+    std::optional<double> errorEstimate;
+    double seconds = 0.0;  ///< since the start
+};
+
 struct RenderOutcome {
     explicit RenderOutcome(const Tile& area) : film(area) {}
 
     Film film;
     TraceCounts counts;
     std::vector<TraceCounts> tileCounts;  ///< of the area's tiles, without probes
+    std::vector<PassRecord> passes;       ///< in order
     double seconds = 0.0;
     double cpuSeconds = 0.0;
     /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.

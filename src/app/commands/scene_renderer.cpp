@@ -323,6 +323,7 @@ RenderStats SceneRenderer::statsOf(const RenderScene& scene, const RenderOptions
     stats.cpuSeconds = outcome.cpuSeconds;
     stats.peakRssBytes = peakResidentBytes();
     stats.rays = outcome.counts.rays;
+    stats.passes = outcome.passes;
     stats.cutPaths = outcome.counts.cutPaths;
     stats.cutErrorBound =
         outcome.counts.cutBound / std::max(1.0, static_cast<double>(outcome.counts.rays.camera));
