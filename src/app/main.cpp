@@ -27,6 +27,8 @@ int run(const std::vector<std::string>& arguments) {
             return rt::compareCommand(options.compare);
         case rt::Command::kGolden:
             return rt::goldenCommand(options);
+        case rt::Command::kMerge:
+            return rt::mergeCommand(options.merge);
         case rt::Command::kRender:
             return rt::renderCommand(options);
     }

@@ -39,6 +39,13 @@ void addOutputRows(Rows& rows) {
     rows.push_back(
         {kOutput, "--frames", "A-B", "render an animation's frames A to B",
          [](Options& o, const std::string& v) { o.frames = framesFrom("--frames", v); }});
+    rows.push_back({kOutput, "--shard", "i/n",
+                    "render the i-th of n parts, for ./Project merge to join",
+                    [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});
+    rows.push_back({kOutput, "--aov", "NAMES",
+                    "more images beside the output: depth, normal, albedo, position, id, uv, "
+                    "samples, error",
+                    [](Options& o, const std::string& v) { o.aovs = aovsFrom("--aov", v); }});
     rows.push_back({kOutput, "--stats", "FILE", "write statistics as JSON",
                     [](Options& o, const std::string& v) {
                         if (v.empty()) throw UsageError("--stats: the name of the file is empty");

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace rt {
 namespace {
@@ -122,6 +123,23 @@ FrameRange framesFrom(const std::string& flag, const std::string& text) {
                          " frames in one run; ask for them in parts");
     }
     return {ends[0], ends[1]};
+}
+
+Shard shardFrom(const std::string& flag, const std::string& text) {
+    const std::vector<std::int64_t> parts = wholes(split(text, '/'), 1, kMostShards);
+    if (parts.size() != 2 || parts[0] > parts[1]) {
+        refuseValue(flag, text,
+                    "must be i/n with whole numbers 1 <= i <= n <= " + std::to_string(kMostShards));
+    }
+    return {static_cast<int>(parts[0]), static_cast<int>(parts[1])};
+}
+
+std::vector<Aov> aovsFrom(const std::string& flag, const std::string& text) {
+    std::set<Aov> aovs;
+    for (const std::string& name : split(text, ',')) {
+        aovs.insert(static_cast<Aov>(wordFrom(flag, name, aovNames())));
+    }
+    return {aovs.begin(), aovs.end()};
 }
 
 std::pair<std::string, std::string> parameterFrom(const std::string& flag,

@@ -20,6 +20,10 @@ ImageSize sizeFrom(const std::string& flag, const std::string& text);
 Crop cropFrom(const std::string& flag, const std::string& text);
 /// A-B, or A alone.
 FrameRange framesFrom(const std::string& flag, const std::string& text);
+/// i/n, 1 <= i <= n.
+Shard shardFrom(const std::string& flag, const std::string& text);
+/// Names, separated by commas.
+std::vector<Aov> aovsFrom(const std::string& flag, const std::string& text);
 /// name=value.
 std::pair<std::string, std::string> parameterFrom(const std::string& flag, const std::string& text);
 /// One of the words.

@@ -130,6 +130,24 @@ Options parseCompare(const std::vector<std::string>& arguments) {
     return options;
 }
 
+Options parseMerge(const std::vector<std::string>& arguments) {
+    static const std::vector<CommandRow> kRows = {
+        {"Merge", "-h,--help", "", "show this",
+         [](Options& o, const std::string&) { o.command = Command::kHelp; }},
+    };
+    Options options;
+    options.command = Command::kMerge;
+    const Words words = readWords(arguments, kRows);
+    apply(words, options);
+    if (options.command == Command::kHelp) return options;
+    if (words.others.size() < 2) {
+        throw UsageError("merge needs an image and parts of it: ./Project merge OUT PART...");
+    }
+    options.merge.output = words.others[0];
+    options.merge.parts.assign(words.others.begin() + 1, words.others.end());
+    return options;
+}
+
 const std::vector<CommandRow>& goldenRows() {
     static const std::vector<CommandRow> table = {
         {"Golden", "--update", "", "write the references of what changed or has none",
@@ -154,8 +172,9 @@ const std::vector<CommandRow>& goldenRows() {
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
     static const std::set<std::string> without = {
-        "-o",        "--crop",      "--frames",  "--stats", "--deps",    "--list-params", "--check",
-        "--explain", "--fail-fast", "--version", "--watch", "--preview", "--preview-port"};
+        "-o",          "--crop",    "--frames",      "--stats",   "--aov",
+        "--shard",     "--deps",    "--list-params", "--check",   "--explain",
+        "--fail-fast", "--version", "--watch",       "--preview", "--preview-port"};
     return without.count(row.flags) == 0;
 }
 
@@ -226,10 +245,11 @@ OptionHelp helpOf(const CommandRow& row) {
 Options parseOptions(const std::vector<std::string>& arguments) {
     const auto end = std::find(arguments.begin(), arguments.end(), "--");
     std::vector<std::string> own(arguments.begin(), end);
-    if (!own.empty() && own[0] == "compare") {
+    if (!own.empty() && (own[0] == "compare" || own[0] == "merge")) {
+        const bool compares = own[0] == "compare";
         own.insert(own.end(), end == arguments.end() ? end : end + 1, arguments.end());
         own.erase(own.begin());
-        return parseCompare(own);
+        return compares ? parseCompare(own) : parseMerge(own);
     }
     if (!own.empty() && own[0] == "golden") {
         own.erase(own.begin());
@@ -263,6 +283,7 @@ std::string usageLine() {
 
 std::string helpText() {
     std::string text = usageLine() + "\n       ./Project compare A B [--tolerance E]\n" +
+                       "       ./Project merge OUT PART...\n" +
                        "       ./Project golden DIR [--update] [--tier NAME] [options]\n\n" +
                        "Renders scene scripts; without one, " + kDefaultScene + ".\n";
     std::string section;

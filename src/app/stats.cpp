@@ -25,6 +25,16 @@ Json skippedJson(const std::vector<SkippedFeature>& skipped) {
     return all;
 }
 
+Json passesJson(const std::vector<PassRecord>& passes) {
+    Json all = Json::array();
+    for (const PassRecord& pass : passes) {
+        all.push_back({{"samples", pass.samples},
+                       {"error_estimate", orNull(pass.errorEstimate)},
+                       {"seconds", pass.seconds}});
+    }
+    return all;
+}
+
 Json renderJson(const RenderStats& stats) {
     const Json rays = {{"camera", stats.rays.camera},
                        {"shadow", stats.rays.shadow},
@@ -54,6 +64,7 @@ Json renderJson(const RenderStats& stats) {
         {"rays", rays},
         {"cut_paths", stats.cutPaths},
         {"cut_error_bound", stats.cutErrorBound},
+        {"passes", passesJson(stats.passes)},
         {"features", stats.features},
         {"skipped", skippedJson(stats.skipped)},
         {"warnings", stats.warnings},

@@ -131,6 +131,7 @@ void writeImage(const char* format, const RtOiioImage& image, const RtOiioEntry*
     if (!output) failWith(OIIO::geterror(), "OpenImageIO was built without this format");
     const SampleType kept = sampleType(image.storage);
     OIIO::ImageSpec spec(image.width, image.height, image.channels, kept.type);
+    if (image.names) spec.channelnames.assign(image.names, image.names + image.channels);
     for (std::size_t i = 0; i < entryCount; ++i)
         spec.attribute(entries[i].keyword, entries[i].text);
     leaveOutTime(spec, format);

@@ -14,6 +14,8 @@ std::vector<std::uint8_t> encodePng(const PixelImage& image, const ImageSettings
                                     const ImageMetadata& metadata);
 std::vector<std::uint8_t> encodePfm(const PixelImage& image, const ImageSettings& settings,
                                     const ImageMetadata& metadata);
+/// A plane of rows of `width` pixels; of two channels, the third of the file is 0.
+std::vector<std::uint8_t> encodePfm(const ImagePlane& plane, int width);
 std::vector<std::uint8_t> encodeExr(const PixelImage& image, const ImageSettings& settings,
                                     const ImageMetadata& metadata);
 std::vector<std::uint8_t> encodeHdr(const PixelImage& image, const ImageSettings& settings,

@@ -55,19 +55,26 @@ void requireFinite(const PixelImage& image) {
                                std::to_string(i / width) + " of a finished image is not finite: " +
                                shortest(p.r) + " " + shortest(p.g) + " " + shortest(p.b));
     }
+    for (const ImagePlane& plane : image.planes) {
+        for (const float value : plane.values) {
+            if (!std::isnan(value)) continue;
+            throw std::logic_error("a finished image has a value of " + plane.name +
+                                   " that is no number");
+        }
+    }
 }
 
 }  // namespace
 
 const std::vector<ImageFormat>& imageFormats() {
     static const std::vector<ImageFormat> table = {
-        {".png", "8 or 16 bits", false, kMostPngBytes, kMostInt, false, encodePng},
-        {".exr", "the values as 32-bit floats", true, INT64_MAX, kMostInt, true, encodeExr},
-        {".hdr", "the values with a shared exponent, 8 bits", true, INT64_MAX, kMostInt, true,
-         encodeHdr},
-        {".tif", "8 or 16 bits", false, kMostTiffBytes, kMostInt, true, encodeTiff},
-        {".tiff", "8 or 16 bits", false, kMostTiffBytes, kMostInt, true, encodeTiff},
-        {".pfm", "the values as 32-bit floats", true, INT64_MAX, kMostInt, false, encodePfm},
+        {".png", "8 or 16 bits", false, false, kMostPngBytes, kMostInt, false, encodePng},
+        {".exr", "the values as 32-bit floats", true, true, INT64_MAX, kMostInt, true, encodeExr},
+        {".hdr", "the values with a shared exponent, 8 bits", true, false, INT64_MAX, kMostInt,
+         true, encodeHdr},
+        {".tif", "8 or 16 bits", false, false, kMostTiffBytes, kMostInt, true, encodeTiff},
+        {".tiff", "8 or 16 bits", false, false, kMostTiffBytes, kMostInt, true, encodeTiff},
+        {".pfm", "the values as 32-bit floats", true, false, INT64_MAX, kMostInt, false, encodePfm},
     };
     return table;
 }
@@ -90,8 +97,22 @@ bool holdsFloats(const std::string& path) {
     return imageFormatOf(path).floats;
 }
 
-void checkImageOutput(const std::string& path, int width, int height,
-                      const ImageSettings& settings) {
+std::vector<std::string> imageFiles(const std::string& path,
+                                    const std::vector<std::string>& planes) {
+    std::vector<std::string> files;
+    if (!planes.empty() && isStream(path)) {
+        throw UsageError(path + ": more images than one need a file with a name; give -o a name");
+    }
+    if (!imageFormatOf(path).layers) {
+        const std::string stem = path.substr(0, path.size() - extensionOf(path).size());
+        for (const std::string& plane : planes) files.push_back(stem + "." + plane + ".pfm");
+    }
+    files.push_back(path);
+    return files;
+}
+
+void checkImageOutput(const std::string& path, int width, int height, const ImageSettings& settings,
+                      const std::vector<std::string>& planes) {
     const ImageFormat& format = imageFormatOf(path);
     const std::int64_t perChannel = format.floats ? 4 : settings.bits / 8;
     const double bytes = 3.0 * static_cast<double>(perChannel) * width * height;
@@ -102,7 +123,7 @@ void checkImageOutput(const std::string& path, int width, int height,
                           " file can hold; use .exr or --crop");
     }
     if (format.throughPlugin) requirePlugin();
-    checkWritable(path);
+    for (const std::string& file : imageFiles(path, planes)) checkWritable(file);
 }
 
 std::vector<std::pair<std::string, std::string>> metadataEntries(const ImageMetadata& metadata) {
@@ -125,7 +146,21 @@ std::vector<std::uint8_t> encodeImage(const ImageFormat& format, const PixelImag
 
 std::string writeImage(const std::string& path, const PixelImage& image,
                        const ImageSettings& settings, const ImageMetadata& metadata) {
-    return writeFile(path, encodeImage(imageFormatOf(path), image, settings, metadata));
+    const std::vector<std::uint8_t> bytes =
+        encodeImage(imageFormatOf(path), image, settings, metadata);
+    std::vector<std::string> planes;
+    for (const ImagePlane& plane : image.planes) planes.push_back(plane.name);
+    const std::vector<std::string> files = imageFiles(path, planes);
+    std::string warnings;
+    const auto write = [&](const std::string& file, const std::vector<std::uint8_t>& content) {
+        const std::string warning = writeFile(file, content);
+        if (!warning.empty()) warnings += (warnings.empty() ? "" : "; ") + warning;
+    };
+    for (std::size_t i = 0; i + 1 < files.size(); ++i) {
+        write(files[i], encodePfm(image.planes[i], image.width));
+    }
+    write(path, bytes);
+    return warnings;
 }
 
 std::string numberedName(const std::string& pattern, std::int64_t number) {

@@ -2,6 +2,7 @@
 #include "adaptive_parts.h"
 #include "rt/render/adaptive.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -197,6 +198,20 @@ void Adaptive::update() {
     }
     squaredError_ = pixelError_.empty() ? 0.0 : sum / static_cast<double>(pixelError_.size());
     squaredError_ += missed_;
+}
+
+/// What audits would find lies in smooth pixels, nobody knows in which.
+std::vector<double> Adaptive::squaredErrors() const {
+    std::vector<double> errors = pixelError_;
+    const std::size_t smooth = errors.size() - sampled_.size();
+    const double missed = missed_ * static_cast<double>(errors.size()) /
+                          static_cast<double>(std::max<std::size_t>(smooth, 1));
+    for (std::size_t pixel = 0; pixel < errors.size(); ++pixel) {
+        if (!isSmooth(pixel)) continue;
+        errors[pixel] += missed;
+        if (isSuspect(pixel)) errors[pixel] += static_cast<double>(suspicion_[pixel]);
+    }
+    return errors;
 }
 
 }  // namespace rt

@@ -87,7 +87,7 @@ class Run {
     void pass(const std::vector<std::uint32_t>& ends, double from, double to) {
         tilesDone_ = 0;
         forEachIndex(tiles_.size(), job_.threads, [&](std::size_t index, int) {
-            if (stopped()) return;
+            if (stopped() || !rendersTile(index)) return;
             renderTile(index, ends);
             report(from, to);
             if (job_.onSnapshot) offerSnapshot();
@@ -149,7 +149,16 @@ class Run {
         return total.cutBound / std::max(1.0, static_cast<double>(total.rays.camera));
     }
 
+    const std::vector<TraceCounts>& tileCounts() const { return counts_; }
+
   private:
+    bool rendersTile(std::size_t index) const {
+        return job_.errorTarget > 0.0 || job_.shard.owns(index);
+    }
+
+    /// Of how many tiles one is rendered.
+    double shareOfTiles() const { return job_.errorTarget > 0.0 ? 1.0 : job_.shard.count; }
+
     void probeTile(const Tile& tile, const std::vector<std::uint32_t>& ends, Lattice& lattice,
                    TraceCounts& counts) {
         const auto trace = [&](const std::uint32_t* tileEnds, Probe* probes) {
@@ -183,7 +192,8 @@ class Run {
         if (!job_.onProgress) return;
         const std::lock_guard lock(progressMutex_);
         ++tilesDone_;
-        const double done = static_cast<double>(tilesDone_) / static_cast<double>(tiles_.size());
+        const double tiles = static_cast<double>(tiles_.size()) / shareOfTiles();
+        const double done = std::min(static_cast<double>(tilesDone_) / tiles, 1.0);
         double share = from + (to - from) * done;
         if (job_.timeLimit > 0.0) share = std::max(share, seconds() / job_.timeLimit);
         job_.onProgress(std::min(share, 1.0));
@@ -272,6 +282,7 @@ class TowardsTarget {
         bool reached = false;
         while (!run_.stopped() && !reached) {
             adaptive_->update();
+            passes_.push_back({run_.counts().rays.camera, errorEstimate(), run_.seconds()});
             if (job_.onEstimate && adaptive_->knowsError()) job_.onEstimate(*errorEstimate());
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
             goal.squaredTarget = allowed * allowed;
@@ -294,6 +305,13 @@ class TowardsTarget {
     std::optional<double> errorEstimate() const {
         if (!adaptive_->knowsError()) return std::nullopt;
         return std::sqrt(adaptive_->squaredError()) + run_.cutError();
+    }
+
+    const std::vector<PassRecord>& passes() const { return passes_; }
+
+    std::vector<double> pixelErrors() const {
+        if (!adaptive_->knowsError()) return {};
+        return adaptive_->squaredErrors();
     }
 
   private:
@@ -328,6 +346,7 @@ class TowardsTarget {
     std::optional<Lattice> lattice_;
     std::vector<bool> fine_;
     std::optional<Adaptive> adaptive_;
+    std::vector<PassRecord> passes_;
 };
 
 }  // namespace
@@ -346,6 +365,19 @@ void TraceCounts::add(const TraceCounts& other) {
     nonFinite += other.nonFinite;
 }
 
+std::optional<UniformError> uniformError(Film& film) {
+    Adaptive estimate(film, nullptr, {});
+    estimate.update();
+    if (!estimate.knowsError()) return std::nullopt;
+    return UniformError{std::sqrt(estimate.squaredError()), estimate.squaredErrors()};
+}
+
+RenderSnapshot uniformSnapshot(Film& film) {
+    Adaptive estimate(film, nullptr, {});
+    estimate.update();
+    return estimate.snapshot();
+}
+
 RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
@@ -356,16 +388,18 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         outcome.converged = towards.render();
         outcome.errorEstimate = towards.errorEstimate();
         if (job.onSnapshot) last = towards.snapshot();
+        if (job.wantsPixelErrors) outcome.pixelErrors = towards.pixelErrors();
+        outcome.passes = towards.passes();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
-        Adaptive estimate(outcome.film, nullptr, {});
-        estimate.update();
-        if (estimate.knowsError()) {
-            outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
+        if (std::optional<UniformError> error = uniformError(outcome.film)) {
+            outcome.errorEstimate = error->rmse + run.cutError();
+            if (job.wantsPixelErrors) outcome.pixelErrors = std::move(error->squared);
         }
-        if (job.onSnapshot) last = estimate.snapshot();
+        if (job.onSnapshot) last = uniformSnapshot(outcome.film);
     }
     outcome.counts = run.counts();
+    outcome.tileCounts = run.tileCounts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
     if (outcome.cancelled) outcome.errorEstimate.reset();
@@ -374,6 +408,9 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         job.onSnapshot(std::move(last));
     }
     outcome.seconds = run.seconds();
+    if (!(job.errorTarget > 0.0)) {
+        outcome.passes = {{outcome.counts.rays.camera, outcome.errorEstimate, outcome.seconds}};
+    }
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;
 }

@@ -35,6 +35,11 @@ void probePixels(const RenderScene& scene, const TraceSettings& settings,
     tracerFor(scene.features).probePixels(scene, settings, pixels, samples, probes, counts);
 }
 
+void firstHits(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+               FirstHit* hits) {
+    tracerFor(scene.features).firstHits(scene, settings, tile, hits);
+}
+
 /// Member functions of MeshTree as plain ones.
 template <auto Member, class... Arguments>
 auto ask(const MeshTree& tree, Arguments... arguments) {
@@ -44,8 +49,8 @@ auto ask(const MeshTree& tree, Arguments... arguments) {
 constexpr MeshQueries kMesh{&ask<&MeshTree::closestHit>, &ask<&MeshTree::anyHit>,
                             &ask<&MeshTree::closestHits>, &ask<&MeshTree::anyHits>};
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh,        &renderTile,
-                              &probeTile,     &probePixels, &intersectShape};
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh,      &renderTile,    &probeTile,
+                              &probePixels,   &firstHits, &intersectShape};
 
 }  // namespace
 }  // namespace rt

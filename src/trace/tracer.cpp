@@ -4,6 +4,7 @@
 #include "rt/sampling/warp.h"
 #include "rt/shading/fresnel.h"
 #include "rt/shading/phong.h"
+#include "tracer_first_hit.h"
 #include "tracer_light.h"
 #include "tracer_probe.h"
 #include "tracer_variants.h"
@@ -330,6 +331,20 @@ void probePixelsWith(const RenderScene& scene, const TraceSettings& settings,
     }
 }
 
+/// Beside the features: a Tracer of its own for what is asked for beside a picture. If it shared
+/// functions with those of renders, the compiler would inline fewer of them there.
+constexpr unsigned kBeside = 1u << 31;
+
+template <unsigned Features>
+void firstHitsWith(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+                   FirstHit* hits) {
+    TraceCounts uncounted;
+    Tracer<Features | kBeside> tracer(scene, settings, uncounted);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) *hits++ = tracer.firstHit(x, y);
+    }
+}
+
 constexpr unsigned kVariantFeatures =
     kFeatureReflection | kFeatureRefraction | kFeatureImages | kFeatureAreaLights;
 
@@ -344,7 +359,7 @@ TracerVariant variantFor(unsigned features, std::integer_sequence<unsigned, Bits
     TracerVariant found;
     ((variantOf(Bits) == variantOf(features)
           ? void(found = {&renderTileWith<variantOf(Bits)>, &probeTileWith<variantOf(Bits)>,
-                          &probePixelsWith<variantOf(Bits)>})
+                          &probePixelsWith<variantOf(Bits)>, &firstHitsWith<variantOf(Bits)>})
           : void()),
      ...);
     return found;

@@ -33,6 +33,9 @@ class Tracer {
     /// The same through the centre of pixel (x, y).
     void probeCentre(int x, int y, std::uint32_t end, Probe& probe);
 
+    /// What the centre of pixel (x, y) shows.
+    FirstHit firstHit(int x, int y);
+
   private:
     static constexpr bool kImages = (Features & kFeatureImages) != 0;
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
@@ -90,6 +93,7 @@ class Tracer {
         }
     };
 
+    Path pathThrough(const Vec2& at);
     void look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe);
     /// All values along the tree of paths that starts with `path`.
     template <class Sum>

@@ -22,8 +22,9 @@ void Tracer<Features>::probeCentre(int x, int y, std::uint32_t end, Probe& probe
     look(Vec2(x + 0.5, y + 0.5), 1, end, probe);
 }
 
+/// The path through an image point and the centre of the lens, which stands for a whole pixel.
 template <unsigned Features>
-void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe) {
+typename Tracer<Features>::Path Tracer<Features>::pathThrough(const Vec2& at) {
     Path path;
     path.ray = scene_.camera.ray(at.x, at.y, Vec2(0.0));
     if constexpr (kImages) {
@@ -31,6 +32,12 @@ void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Prob
         share_ = {};
     }
     if constexpr (kRefraction) path.media = mediaAt(path.ray.origin);
+    return path;
+}
+
+template <unsigned Features>
+void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe) {
+    Path path = pathThrough(at);
     raysLeft_ = settings_.raysPerSample;
     ++counts_.rays.camera;
 

@@ -13,6 +13,7 @@ struct TracerVariant {
                       const std::uint32_t* ends, Probe*, TraceCounts&) = nullptr;
     void (*probePixels)(const RenderScene&, const TraceSettings&, std::span<const PixelPlace>,
                         std::uint32_t samples, Probe*, TraceCounts&) = nullptr;
+    void (*firstHits)(const RenderScene&, const TraceSettings&, const Tile&, FirstHit*) = nullptr;
 };
 
 /// The leanest variant that renders scenes with these features.

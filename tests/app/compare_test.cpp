@@ -337,7 +337,7 @@ TEST_CASE("NaN in an EXR is seen too") {
     }
     const Bench bench;
     std::vector<float> samples = {0.0f, std::nanf(""), 0.5f};
-    const RtOiioImage raw{1, 1, 3, kRtOiioFloat, samples.data()};
+    const RtOiioImage raw{1, 1, 3, kRtOiioFloat, samples.data(), nullptr};
     void* bytes = nullptr;
     std::size_t count = 0;
     char words[256] = "";

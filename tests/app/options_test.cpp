@@ -109,6 +109,12 @@ TEST_CASE("Every option reaches its field") {
         {{"--frames", "7"},
          [](const Options& o) { return o.frames->first == 7 && o.frames->last == 7; }},
         {{"--frames", "1-1000000"}, [](const Options& o) { return o.frames->last == 1000000; }},
+        {{"--shard", "2/5"},
+         [](const Options& o) { return o.shard->index == 2 && o.shard->count == 5; }},
+        {{"--aov", "uv,depth,uv"},
+         [](const Options& o) {
+             return o.aovs == std::vector{Aov::kDepth, Aov::kUv};
+         }},
         {{"--stats", "s.json"}, [](const Options& o) { return o.stats == "s.json"; }},
         {{"--deps", "s.d"}, [](const Options& o) { return o.deps == "s.d"; }},
         {{"--watch"}, [](const Options& o) { return o.watch && !o.preview; }},

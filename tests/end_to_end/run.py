@@ -3,7 +3,7 @@
 
 PROJECT is the executable. --only threads runs what the thread sanitizer should see.
 """
-import glob, json, os, signal, struct, subprocess, sys, time, unittest
+import glob, json, os, shutil, signal, struct, subprocess, sys, time, unittest, zlib
 
 from base import BALL, EVERYTHING, EndToEnd, TOP
 from writing_scenes import Dependencies, OnTerminal, Previewing, Watching
@@ -20,6 +20,54 @@ def pfm(path):
         values = struct.unpack("%s%df" % (order, 3 * width * height), f.read())
     pixels = [values[3 * i:3 * i + 3] for i in range(width * height)]
     return width, height, [pixels[width * y:width * (y + 1)] for y in range(height)][::-1]
+
+
+def plane(path):
+    """-> width, height, rows of values of a PFM of one channel, or rows of triples"""
+    with open(path, "rb") as f:
+        channels = {b"PF": 3, b"Pf": 1}[f.readline().strip()]
+        width, height = map(int, f.readline().split())
+        assert float(f.readline()) < 0
+        values = struct.unpack("<%df" % (channels * width * height), f.read())
+    rows = [values[channels * width * y:channels * width * (y + 1)] for y in range(height)]
+    return width, height, rows[::-1]
+
+
+def exr_channels(data):
+    """-> name -> values, of a scan-line EXR of floats in ZIP blocks (The OpenEXR file layout, openexr.com)"""
+    at, header = 8, {}
+    while data[at]:
+        name, kind = data[at:].split(b"\0", 2)[:2]
+        at += len(name) + len(kind) + 2
+        size, = struct.unpack_from("<i", data, at)
+        header[name.decode()] = data[at + 4:at + 4 + size]
+        at += 4 + size
+    names, rest = [], header["channels"]
+    while rest[0]:
+        name, rest = rest.split(b"\0", 1)
+        assert struct.unpack_from("<i", rest)[0] == 2, "not a float channel"
+        names.append(name.decode())
+        rest = rest[16:]
+    x0, y0, x1, y1 = struct.unpack("<4i", header["dataWindow"])
+    width, height = x1 - x0 + 1, y1 - y0 + 1
+    assert header["compression"] == b"\3", "not ZIP"
+    blocks = (height + 15) // 16
+    values = {name: [] for name in names}
+    for offset in struct.unpack_from("<%dQ" % blocks, data, at + 1):
+        y, size = struct.unpack_from("<2i", data, offset)
+        rows = min(16, height - y)
+        packed = data[offset + 8:offset + 8 + size]
+        if size < 4 * width * rows * len(names):
+            raw = bytearray(zlib.decompress(packed))
+            for i in range(1, len(raw)):
+                raw[i] = (raw[i] + raw[i - 1] - 128) & 255
+            half = (len(raw) + 1) // 2
+            packed = bytearray(len(raw))
+            packed[0::2], packed[1::2] = raw[:half], raw[half:]
+        lines = struct.unpack("<%df" % (width * rows * len(names)), packed)
+        for line in range(rows * len(names)):
+            values[names[line % len(names)]].extend(lines[width * line:width * (line + 1)])
+    return values
 
 
 class Threads(EndToEnd):
@@ -61,6 +109,23 @@ class SameBytes(EndToEnd):
         width, height, crop = pfm(self.path("crop.pfm"))
         self.assertEqual((width, height), (28, 31))
         self.assertEqual(crop, [row[13:41] for row in whole[7:38]])
+
+    def test_planes_are_the_same_for_any_threads_and_instruction_set_and_in_a_crop(self):
+        self.write("scene.lua", EVERYTHING.replace(",\n          gr.focal({0, 0, 1}, 0.05, 0.05)", ""))
+        names = "depth normal albedo position id uv samples error".split()
+        aov = ("scene.lua", "-q", "--error", "0.02", "--aov", ",".join(names))
+        self.run_project(*aov, "-o", "a.png", "-j", "1")
+        self.run_project(*aov, "-o", "b.png", "-j", "3", "--isa", "baseline")
+        self.run_project(*aov, "-o", "c.png", "--crop", "13,7,41,38")
+        for name in names:
+            with self.subTest(name):
+                self.assertEqual(self.read("a.%s.pfm" % name), self.read("b.%s.pfm" % name))
+                width, _, whole = plane(self.path("a.%s.pfm" % name))
+                _, _, crop = plane(self.path("c.%s.pfm" % name))
+                channels = len(whole[0]) // width
+                self.assertEqual(crop, [row[13 * channels:41 * channels] for row in whole[7:38]])
+        self.run_project("scene.lua", "-q", "--error", "0.02", "-o", "plain.png")
+        self.assertEqual(self.read("plain.png"), self.read("a.png"))
 
     def test_another_seed_gives_other_noise(self):
         self.write("scene.lua", EVERYTHING)
@@ -125,11 +190,22 @@ class Rendering(EndToEnd):
         render = stats["renders"][0]
         for key in ("scene output width height threads seed spp_mean spp_min spp_max error_estimate error_target "
                     "converged triangles primitives instances lights build_seconds render_seconds cpu_seconds "
-                    "peak_rss_bytes rays cut_paths cut_error_bound features skipped warnings").split():
+                    "peak_rss_bytes rays cut_paths cut_error_bound passes features skipped warnings").split():
             self.assertIn(key, render)
         self.assertEqual((render["triangles"], render["primitives"], render["instances"], render["lights"]),
                          (4, 5, 6, 2))
         self.assertGreater(render["rays"]["refraction"], 0)
+        last = render["passes"][-1]
+        self.assertEqual((last["samples"], last["error_estimate"]), (render["rays"]["camera"], render["error_estimate"]))
+        self.run_project("scene.lua", "-q", "--error", "0.01", "--stats", "stats.json")
+        render = json.loads(self.read("stats.json"))["renders"][0]
+        samples = [one["samples"] for one in render["passes"]]
+        seconds = [one["seconds"] for one in render["passes"]]
+        self.assertGreater(len(samples), 1)
+        self.assertEqual(samples, sorted(set(samples)))
+        self.assertEqual(seconds, sorted(seconds))
+        last = render["passes"][-1]
+        self.assertEqual((last["samples"], last["error_estimate"]), (render["rays"]["camera"], render["error_estimate"]))
         self.assertGreater(render["peak_rss_bytes"], 1000000)
 
     def test_explain_says_what_was_left_out(self):
@@ -215,6 +291,41 @@ class Rendering(EndToEnd):
         for other in pictures[1:]:
             self.assertLess(max(abs(a - b) for a, b in zip(pictures[0], other)), 0.004)
         self.assertGreater(max(pictures[0]) - min(pictures[0]), 0.1)
+
+    def test_planes_add_up_to_the_statistics(self):
+        self.write("scene.lua", EVERYTHING.replace(",\n          gr.focal({0, 0, 1}, 0.05, 0.05)", ""))
+        for quality in ("--error", "0.01"), ("--spp", "8"):
+            with self.subTest(quality[0]):
+                self.run_project("scene.lua", "-q", *quality, "--aov", "samples,error", "-o", "x.png", "--stats", "s")
+                stats = json.loads(self.read("s"))["renders"][0]
+                samples = sum(plane(self.path("x.samples.pfm"))[2], ())
+                error = sum(plane(self.path("x.error.pfm"))[2], ())
+                self.assertAlmostEqual(sum(samples) / len(samples), stats["spp_mean"], 9)
+                self.assertEqual((min(samples), max(samples)), (stats["spp_min"], stats["spp_max"]))
+                rms = (sum(e * e for e in error) / len(error)) ** 0.5
+                self.assertAlmostEqual(rms + stats["cut_error_bound"], stats["error_estimate"], 8)
+        self.run_project("scene.lua", "-q", "--spp", "1", "--aov", "error", "-o", "x.png")
+        self.assertEqual(set(sum(plane(self.path("x.error.pfm"))[2], ())), {float("inf")})
+
+    def test_an_exr_holds_the_planes_as_layers(self):
+        self.write("ball.lua", BALL)
+        ball = ("ball.lua", "-q", "--spp", "4", "--size", "40x35")
+        channels = {"depth": "Z", "normal": "XYZ", "albedo": "RGB", "position": "XYZ", "id": "X", "uv": "UV",
+                    "samples": "Y", "error": "Y"}
+        self.run_project(*ball, "--aov", ",".join(channels), "-o", "layers.exr")
+        self.run_project(*ball, "--aov", ",".join(channels), "-o", "files.pfm")
+        self.run_project(*ball, "-o", "plain.exr")
+        self.assertIn(b"RMSE        0\n", self.run_project("compare", "layers.exr", "plain.exr").stdout)
+        layers = exr_channels(self.read("layers.exr"))
+        self.assertEqual(len(layers), 3 + sum(map(len, channels.values())))
+        for name, parts in channels.items():
+            width, height, rows = plane(self.path("files.%s.pfm" % name))
+            step = len(rows[0]) // width
+            for c, part in enumerate(parts):
+                with self.subTest(name + "." + part):
+                    self.assertEqual(layers[name + "." + part], [row[i] for row in rows for i in range(c, step * width, step)])
+        _, _, rows = pfm(self.path("files.pfm"))
+        self.assertEqual(layers["G"], [pixel[1] for row in rows for pixel in row])
 
     def test_several_renders_and_folders_that_are_missing(self):
         self.write("scene.lua", BALL + BALL.replace("ball.png", "made/deeper/ball.png"))
@@ -318,6 +429,83 @@ class Scenes(EndToEnd):
         for a, b in zip(*means):
             self.assertLessEqual(abs(a - b), render["cut_error_bound"] + 1e-3)
         self.assertLess(render["cut_error_bound"], 1e-2)
+
+class Shards(EndToEnd):
+    SIZE = ("--size", "70x50")
+
+    def setUp(self):
+        super().setUp()
+        self.write("scene.lua", EVERYTHING)
+
+    def merged(self, count, *words):
+        parts = []
+        for i in range(1, count + 1):
+            self.run_project("scene.lua", "-q", *self.SIZE, *words, "--shard", "%d/%d" % (i, count), "-o", "m.png",
+                             "-j", str(1 + i % 3))
+            parts.append("m.%d-of-%d.part" % (i, count))
+        return parts
+
+    def test_shards_have_the_bytes_of_the_whole_in_every_format(self):
+        aov = ("--aov", "depth,uv,samples,error")
+        for words in (("--spp", "4"), ("--error", "0.03"), ("--spp", "3", "--crop", "5,9,50,47", "--seed", "7"),
+                      ("--error", "0.03", "--crop", "5,9,50,47"), ("--spp", "1", "--cutoff", "0.1")):
+            parts = self.merged(3, *words, *aov)
+            for ending in "png", "exr", "pfm", "hdr", "tif":
+                with self.subTest(" ".join(words) + " " + ending):
+                    self.run_project("scene.lua", "-q", *self.SIZE, *words, *aov, "-o", "w." + ending)
+                    self.run_project("merge", "m." + ending, *reversed(parts))
+                    self.assertEqual(self.read("w." + ending), self.read("m." + ending))
+                    for name in aov[1].split(",") if ending != "exr" else ():
+                        self.assertEqual(self.read("w.%s.pfm" % name), self.read("m.%s.pfm" % name))
+
+    def test_more_shards_than_tiles_are_as_good(self):
+        parts = self.merged(23, "--spp", "2", "--bits", "16")
+        self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "2", "--bits", "16", "-o", "w.png")
+        self.run_project("merge", "m.png", *parts)
+        self.assertEqual(self.read("w.png"), self.read("m.png"))
+
+    def test_a_shard_renders_its_own_tiles_only(self):
+        rays = []
+        for i in "1", "2":
+            self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "2", "--shard", i + "/2", "-o", "m.png", "--stats", "s")
+            stats = json.loads(self.read("s"))["renders"][0]
+            rays.append(stats["rays"]["camera"])
+            self.assertEqual((stats["spp_min"], stats["spp_max"]), (2, 2))
+        self.assertEqual(sum(rays), 70 * 50 * 2)
+        self.assertLess(max(rays) - min(rays), 70 * 50 / 2)
+
+    def test_a_task_that_runs_again_writes_the_same_bytes_from_any_folder(self):
+        self.merged(2, "--spp", "1")
+        first = self.read("m.1-of-2.part")
+        self.write("elsewhere/scene.lua", EVERYTHING)
+        os.chdir(self.path("elsewhere"))
+        self.addCleanup(os.chdir, TOP)
+        self.run_project("scene.lua", "-q", *self.SIZE, "--spp", "1", "--shard", "1/2", "-o", "again.part")
+        self.assertEqual(first, self.read("again.part"))
+
+    def test_an_interrupted_shard_is_not_written(self):
+        child = subprocess.Popen([PROJECT, "scene.lua", "--spp", "100000", "--shard", "1/2"], cwd=self.folder,
+                                 stderr=subprocess.PIPE)
+        self.assertIn(b"Threads", child.stderr.readline())
+        time.sleep(0.5)
+        child.send_signal(signal.SIGINT)
+        errors = child.communicate()[1]
+        self.assertEqual(child.returncode, 130)
+        self.assertIn(b"not written", errors)
+        self.assertEqual(os.listdir(self.folder), ["scene.lua"])
+
+    def test_damage_is_found_wherever_it_is(self):
+        parts = self.merged(2, "--spp", "1", "--size", "20x20")
+        whole = self.read(parts[0])
+        damaged = [whole[:i] for i in range(0, len(whole), 1009)]
+        for i in [*range(0, 120, 3), *range(120, len(whole), 997)]:
+            damaged.append(whole[:i] + bytes([whole[i] ^ 1 << i % 8]) + whole[i + 1:])
+        for data in damaged:
+            with open(self.path(parts[0]), "wb") as f:
+                f.write(data)
+            self.assertIn(b"m.1-of-2.part", self.run_project("merge", "m.png", *parts, code=1).stderr)
+        self.assertFalse(os.path.exists(self.path("m.png")))
+
 
 class Golden(EndToEnd):
     """The golden command: what passes, what fails, and what it writes."""
@@ -525,7 +713,7 @@ def main():
     global PROJECT
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes,
+    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards,
                                                                           Dependencies, Watching, Previewing, Golden, Comparing, Failures]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))

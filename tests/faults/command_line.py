@@ -1,7 +1,7 @@
 """A: the command line."""
 import os
 
-from harness import BALL, Case, ROOT, SHOT, whole_image
+from harness import BALL, Case, ROOT, SHOT, png, textured, whole_image
 
 QUIET = ("-q", "--spp", "1")
 
@@ -38,6 +38,10 @@ CASES = [
     usage("A3", "unknown flag", "--treads", "2", says=r"--treads.*did you mean --threads\?"),
     *[usage("A4", "--threads " + n, "--threads", n, says="--threads") for n in ("-1", "abc", "1e9", "1.5", "1025", "")],
     Case("A4", "--threads 0 is all cores", BALL, ("scene.lua", *QUIET, "--threads", "0"), writes="x.png"),
+    *[usage("A3", "--aov " + n, "--aov", n, says="--aov.*depth, normal") for n in ("dept", "depth,", "", "depth normal")],
+    Case("I11", "an --aov that is an input", textured(png(2, 2), "x.uv.pfm")["script"], ("scene.lua", *QUIET, "--aov", "uv"), 2,
+         r"x\.uv\.pfm", files={"x.uv.pfm": png(2, 2)}),
+    usage("I9", "--aov beside a stream", "--aov", "depth", "-o", "-", says="more images than one"),
     *[usage("A5", "--size " + s, "--size", s, says="--size") for s in
       ("0x10", "-5x10", "10x", "1e3x2", "x", "10", "99999999999x1", "10x10x10", " 5x5", "nanx5")],
     *[usage("A6", "--crop " + c, "--crop", c, says="crop") for c in

@@ -13,7 +13,6 @@ ELSEWHERE = {
     "K10": ("tests/app/output_names_test.cpp", "two frames never share a file"),
 }
 ABSENT = {
-    "A12": "--shard",
     "G12": ".tx files are no images that are read",
     "G14": "{colorspace=}: what an image is used for says how it is read",
     "H10": "constructive solid geometry",
@@ -24,8 +23,5 @@ ABSENT = {
     "K1": "checkpoints",
     "K2": "checkpoints",
     "K3": "checkpoints",
-    "K4": "shards",
-    "K5": "shards",
-    "K9": "checkpoints",
     "K12": "sending images to tev: --preview shows what it would",
 }

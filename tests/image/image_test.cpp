@@ -50,7 +50,7 @@ Bytes throughOiio(const char* format, std::vector<Sample> samples, int width, in
     const int storage = sizeof(Sample) == 1   ? kRtOiioU8
                         : sizeof(Sample) == 2 ? kRtOiioU16
                                               : kRtOiioFloat;
-    const RtOiioImage image{width, height, channels, storage, samples.data()};
+    const RtOiioImage image{width, height, channels, storage, samples.data(), nullptr};
     void* bytes = nullptr;
     std::size_t count = 0;
     char error[256] = "";

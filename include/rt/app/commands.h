@@ -15,6 +15,9 @@ int compareCommand(const CompareOptions& options);
 /// Every scene of a folder, rendered and held against its image; exit code 10 where one differs.
 int goldenCommand(const Options& options);
 
+/// Shards become the picture that they are of.
+int mergeCommand(const MergeOptions& options);
+
 int helpCommand();
 int versionCommand();
 

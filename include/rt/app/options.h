@@ -1,6 +1,7 @@
 // The command line: what was asked for, and the one table that says what can be asked for.
 #pragma once
 
+#include "rt/app/aov.h"
 #include "rt/scene/render_options.h"
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace rt {
 
-enum class Command { kRender, kCompare, kGolden, kHelp, kVersion };
+enum class Command { kRender, kCompare, kGolden, kMerge, kHelp, kVersion };
 
 enum class ColorMode { kAuto, kAlways, kNever };
 
@@ -44,6 +45,12 @@ struct CompareOptions {
     std::optional<double> tolerance;  ///< largest RMSE that passes
 };
 
+/// `merge OUT PART...`.
+struct MergeOptions {
+    std::string output;
+    std::vector<std::string> parts;
+};
+
 /// How much a picture agrees with its reference, from all to least.
 enum class GoldenTier { kExact, kPortable, kStatistical };
 
@@ -61,6 +68,7 @@ struct Options {
     Command command = Command::kRender;
     CompareOptions compare;
     GoldenOptions golden;
+    MergeOptions merge;
 
     std::vector<std::string> scenes;           ///< "-" is stdin; never empty for kRender
     bool defaultScene = false;                 ///< none was named: scenes is {kDefaultScene}
@@ -71,6 +79,8 @@ struct Options {
     std::optional<ImageSize> size;
     std::optional<Crop> crop;
     std::optional<FrameRange> frames;
+    std::optional<Shard> shard;
+    std::vector<Aov> aovs;             ///< in the order of the table, each once
     std::optional<std::string> stats;  ///< file
     std::optional<std::string> deps;   ///< file
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rt/core/cpu_time.h"
+#include "rt/render/renderer.h"
 #include "rt/trace/trace_kernel.h"
 
 #include <cstdint>
@@ -42,6 +43,7 @@ struct RenderStats {
     RayCounts rays;
     std::uint64_t cutPaths = 0;
     double cutErrorBound = 0.0;
+    std::vector<PassRecord> passes;
     std::vector<std::string> features;
     std::vector<SkippedFeature> skipped;
     std::uint64_t warnings = 0;

@@ -16,6 +16,7 @@ struct RtOiioImage {
     int channels;
     int storage;  ///< RtOiioStorage
     void* samples;
+    const char* const* names;  ///< of the channels, when writing; null: as the format has them
 };
 
 struct RtOiioEntry {

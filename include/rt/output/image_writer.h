@@ -38,6 +38,7 @@ struct ImageFormat {
     const char* extension;  ///< ".png"
     const char* description;
     bool floats;              ///< holds the values, not integers
+    bool layers;              ///< holds the planes of an image too
     std::int64_t mostBytes;   ///< of pixels: the format's own limit
     std::int64_t mostLength;  ///< of a side, in pixels
     bool throughPlugin;       ///< needs OpenImageIO
@@ -53,17 +54,24 @@ const ImageFormat& imageFormatOf(const std::string& path);
 /// True for formats whose error is relative beyond 1 (float files) rather than clipped to [0,1].
 bool holdsFloats(const std::string& path);
 
+/// The files that an image with planes of these names is written to, `path` the last of them. A
+/// format with layers holds the planes as layers; beside any other each has a file of its own,
+/// "x.depth.pfm" for "x.png". Throws UsageError for planes beside a stream.
+std::vector<std::string> imageFiles(const std::string& path,
+                                    const std::vector<std::string>& planes);
+
 /// Everything about an output that can be refused before rendering: its format, its size in
 /// pixels, a missing plugin, a folder or a file that cannot be written. Throws OutputError.
-void checkImageOutput(const std::string& path, int width, int height,
-                      const ImageSettings& settings);
+void checkImageOutput(const std::string& path, int width, int height, const ImageSettings& settings,
+                      const std::vector<std::string>& planes = {});
 
 /// The bytes of a file. Throws std::logic_error if a value is not finite: that is for the caller
 /// to find and report, never for a file to hide.
 std::vector<std::uint8_t> encodeImage(const ImageFormat& format, const PixelImage& image,
                                       const ImageSettings& settings, const ImageMetadata& metadata);
 
-/// Encodes and writes whole or not at all; returns a warning or "", see writeFile.
+/// Encodes and writes the files of `imageFiles`, each whole or not at all; returns a warning or "",
+/// see writeFile.
 std::string writeImage(const std::string& path, const PixelImage& image,
                        const ImageSettings& settings, const ImageMetadata& metadata);
 

@@ -68,6 +68,9 @@ class Adaptive {
     bool knowsError() const;
     /// The mean squared error of the image, by `update`.
     double squaredError() const { return squaredError_; }
+    /// Estimated squared errors of all pixels, with what is feared or thought to be missed; their
+    /// mean is `squaredError`.
+    std::vector<double> squaredErrors() const;
     /// Estimated squared error of a pixel.
     double squaredErrorAt(std::size_t pixel) const { return pixelError_[pixel]; }
 

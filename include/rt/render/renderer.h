@@ -6,20 +6,24 @@
 #include "rt/trace/trace_kernel.h"
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace rt {
 
 struct RenderJob {
     TraceSettings settings;
-    Tile area;  ///< of the image; what lies outside is not rendered
+    Tile area;    ///< of the image; what lies outside is not rendered
+    Shard shard;  ///< of the area's tiles; towards an error target all are rendered, for all decide
     int threads = 1;
     double timeLimit = 0.0;  ///< seconds; 0 = none
     /// Sample until the estimated RMSE of the area is at most this; 0 = exactly settings.spp
     /// samples a pixel, and settings.spp is the most that a pixel gets otherwise.
     double errorTarget = 0.0;
     bool adaptive = true;  ///< towards an error target: more samples where they help most
+    bool wantsPixelErrors = false;
     const TraceKernel* kernel = nullptr;
     const std::atomic<bool>* cancel = nullptr;
     /// Told the share of the work that is done, from the calling thread or a worker, one at a time.
@@ -32,19 +36,40 @@ struct RenderJob {
     const std::atomic<bool>* wantsSnapshot = nullptr;
 };
 
+/// Where a render stood after a pass.
+struct PassRecord {
+    std::uint64_t samples = 0;  ///< camera rays so far
+    std::optional<double> errorEstimate;
+    double seconds = 0.0;  ///< since the start
+};
+
 struct RenderOutcome {
     explicit RenderOutcome(const Tile& area) : film(area) {}
 
     Film film;
     TraceCounts counts;
+    std::vector<TraceCounts> tileCounts;  ///< of the area's tiles, without probes
+    std::vector<PassRecord> passes;       ///< in order
     double seconds = 0.0;
     double cpuSeconds = 0.0;
     /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.
     std::optional<double> errorEstimate;
+    /// Where they were asked for and are known: the estimated squared error of each pixel, whose
+    /// mean is the square of the estimate less what was cut.
+    std::vector<double> pixelErrors;
     bool cancelled = false;
     bool outOfTime = false;
     bool converged = false;  ///< all that was asked for was reached
 };
+
+/// What the samples of a film say of its error, where each pixel has its own: the estimated RMSE,
+/// but for what was cut, and the squared error of each pixel. Nothing where a pixel has less than
+/// two.
+struct UniformError {
+    double rmse = 0.0;
+    std::vector<double> squared;
+};
+std::optional<UniformError> uniformError(Film& film);
 
 /// The same film, to the bit, for any number of threads and any kernel, unless it is cancelled or
 /// runs out of time: then some pixels have fewer samples, or none. Without an error target a pixel

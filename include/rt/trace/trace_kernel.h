@@ -4,6 +4,7 @@
 
 #include "rt/geometry/hit.h"
 #include "rt/sampling/sampler_kind.h"
+#include "rt/trace/first_hit.h"
 #include "rt/trace/probe.h"
 #include "rt/trace/render_scene.h"
 
@@ -121,6 +122,10 @@ struct TraceKernel {
     void (*probePixels)(const RenderScene& scene, const TraceSettings& settings,
                         std::span<const PixelPlace> pixels, std::uint32_t samples, Probe* probes,
                         TraceCounts& counts);
+
+    /// Fills one hit for each pixel of `tile`, row-major.
+    void (*firstHits)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
+                      FirstHit* hits);
 
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.

@@ -9,6 +9,7 @@
 #include "rt/core/error.h"
 #include "rt/output/atomic_file.h"
 #include "rt/output/image_writer.h"
+#include "scene_hash.h"
 #include "scene_renderer.h"
 #include "scene_report.h"
 #include "watcher.h"
@@ -164,11 +165,13 @@ class Batch {
             if (file) refuseOverwriting(*file, script.filesRead);
         }
         for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
-            refuseOverwriting(outputs[i], script.filesRead);
+            for (const std::string& file : filesOf(outputs[i])) {
+                refuseOverwriting(file, script.filesRead);
+            }
             renderer_.checkOutput(outputs[i], script.scene.renders[i]);
         }
         for (std::size_t i = 0; i < outputs.size(); ++i) {
-            renderOne(script.scene, i, outputs[i], diagnostics);
+            renderOne(script, i, frame, outputs[i], diagnostics);
         }
     }
 
@@ -187,12 +190,20 @@ class Batch {
         }
     }
 
-    void renderOne(const SceneDesc& desc, std::size_t index, const std::string& output,
-                   Diagnostics& diagnostics) {
+    std::vector<std::string> filesOf(const std::string& output) const {
+        if (options_.shard) return {partName(output, *options_.shard)};
+        return imageFiles(output, namesOf(options_.aovs));
+    }
+
+    void renderOne(const ScriptResult& script, std::size_t index, std::int64_t frame,
+                   const std::string& output, Diagnostics& diagnostics) {
+        const SceneDesc& desc = script.scene;
         const PreparedScene prepared = renderer_.prepare(desc, index, diagnostics);
         if (options_.explain) progress_.message(explanation(prepared.scene));
         if (options_.check) return;
         if (isStale()) throw Left{};
+        const std::uint64_t hash =
+            options_.shard ? sceneHash(options_, prepared.options, script, index, frame) : 0;
 
         for (RunFollower* follower : followers_) follower->startsImage(output, prepared);
         std::optional<Interrupts::Deferred> deferred(std::in_place);
@@ -202,7 +213,12 @@ class Batch {
         if (isStream(output)) deferred.reset();
         picture.stats.output = output;
         picture.stats.warnings = diagnostics.total();
-        save(picture, picture.cancelled ? partialName(output) : output);
+        if (picture.part) {
+            picture.part->sceneHash = hash;
+            savePart(picture, filesOf(output)[0]);
+        } else {
+            save(picture, picture.cancelled ? partialName(output) : output);
+        }
         for (RunFollower* follower : followers_) follower->savedImage(picture);
         const bool left = picture.cancelled;
         stats_.push_back(std::move(picture.stats));
@@ -245,6 +261,17 @@ class Batch {
         for (std::size_t i = ended_.size(); i < options_.scenes.size(); ++i) {
             progress_.message(printable(options_.scenes[i], 300) + ": not tried");
         }
+    }
+
+    /// Whole or not at all: half a shard would pass for one.
+    void savePart(const Picture& picture, const std::string& name) {
+        if (picture.cancelled) {
+            progress_.abandon();
+            progress_.message("Interrupted; a shard that is not whole is not written");
+            return;
+        }
+        noteIfAny(writeFile(name, encodePart(*picture.part)));
+        progress_.finish({name, picture.stats.renderSeconds, picture.stats.errorEstimate});
     }
 
     static void printParameters(const ScriptResult& script) {

@@ -6,6 +6,8 @@
 #include "rt/core/error.h"
 #include "rt/core/parallel.h"
 #include "rt/core/text.h"
+#include "rt/output/atomic_file.h"
+#include "rt/render/first_hits.h"
 #include "rt/render/kernel_choice.h"
 #include "scene_report.h"
 
@@ -53,15 +55,21 @@ Tile wholeOf(const RenderScene& scene) {
     return {0, 0, scene.width, scene.height};
 }
 
-void countSamples(const Film& film, RenderStats& stats) {
+/// `inPart`: pixels without samples are another shard's.
+void countSamples(const Film& film, bool inPart, RenderStats& stats) {
     stats.sppMin = std::numeric_limits<std::uint64_t>::max();
     std::uint64_t total = 0;
+    std::uint64_t pixels = 0;
     for (const PixelState& pixel : film.pixels) {
+        if (inPart && pixel.samples == 0) continue;
+        ++pixels;
         total += pixel.samples;
         stats.sppMin = std::min(stats.sppMin, pixel.samples);
         stats.sppMax = std::max(stats.sppMax, pixel.samples);
     }
-    stats.sppMean = static_cast<double>(total) / static_cast<double>(film.pixels.size());
+    if (pixels == 0) stats.sppMin = 0;
+    stats.sppMean =
+        static_cast<double>(total) / static_cast<double>(std::max<std::uint64_t>(pixels, 1));
 }
 
 void warnIfNotConverged(const RenderStats& stats, const RenderDesc& render,
@@ -125,6 +133,13 @@ PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
     if (clips) {
         diagnostics.warn("crop", render.where, "--crop reaches beyond the image and is clipped");
     }
+    if (options_.shard && options_.shard->count > 1 &&
+        samplingGoal(prepared.options).errorTarget > 0.0) {
+        diagnostics.warn(
+            "shard", render.where,
+            "towards an error target every shard renders the whole picture, for all of "
+            "it decides where samples go; --spp divides the work");
+    }
     return prepared;
 }
 
@@ -134,15 +149,72 @@ Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
     const RenderOutcome outcome = rendered(prepared.scene, prepared.options, listener);
     warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
     Picture picture;
-    picture.image = imageOf(outcome.film, areaOf(prepared.scene));
     picture.settings = imageSettings(prepared.options);
     picture.stats = statsOf(prepared.scene, prepared.options, outcome);
     picture.stats.scene = desc.name;
+    const Tile area = areaOf(prepared.scene);
+    if (options_.shard) {
+        picture.part = partOf(outcome, prepared, picture.stats);
+    } else {
+        picture.image = imageOf(outcome.film, area);
+        if (!outcome.cancelled) picture.image.planes = planesBeside(outcome, prepared, area);
+    }
     picture.stats.buildSeconds = prepared.buildSeconds;
     picture.cancelled = outcome.cancelled;
     picture.nonFinite = outcome.counts.nonFinite;
     warnIfNotConverged(picture.stats, desc.renders[index], diagnostics);
     return picture;
+}
+
+std::vector<ImagePlane> SceneRenderer::planesBeside(const RenderOutcome& outcome,
+                                                    const PreparedScene& prepared,
+                                                    const Tile& area) const {
+    std::vector<FirstHit> hits;
+    if (std::any_of(options_.aovs.begin(), options_.aovs.end(), isFirstHit)) {
+        hits = firstHits(prepared.scene, samplingGoal(prepared.options).trace, area, threads_,
+                         kernel_);
+    }
+    return planesOf(options_.aovs, {outcome.film, outcome.pixelErrors, hits}, area);
+}
+
+PartTile SceneRenderer::partTileOf(const RenderOutcome& outcome, const PreparedScene& prepared,
+                                   const Tile& place) const {
+    PartTile tile;
+    tile.tile = place;
+    for (int y = place.y0; y < place.y1; ++y) {
+        for (int x = place.x0; x < place.x1; ++x) tile.pixels.push_back(outcome.film.at(x, y));
+    }
+    for (ImagePlane& plane : planesBeside(outcome, prepared, place)) {
+        tile.planes.push_back(std::move(plane.values));
+    }
+    return tile;
+}
+
+PicturePart SceneRenderer::partOf(const RenderOutcome& outcome, const PreparedScene& prepared,
+                                  const RenderStats& stats) const {
+    PicturePart part;
+    part.seed = stats.seed;
+    part.width = prepared.scene.width;
+    part.height = prepared.scene.height;
+    part.area = areaOf(prepared.scene);
+    part.shard = *options_.shard;
+    part.settings = imageSettings(prepared.options);
+    part.planned = stats.errorTarget.has_value();
+    if (part.planned) {
+        part.samplesPerPixel = stats.sppMean;
+        part.error = stats.errorEstimate;
+    }
+    part.scene = stats.scene;
+    part.planes = planesBeside(outcome, prepared, {});
+    const std::vector<Tile> tiles = tilesOf(part.area);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        if (!part.shard.owns(i)) continue;
+        part.tiles.push_back(partTileOf(outcome, prepared, tiles[i]));
+        if (part.planned) continue;
+        part.tiles.back().cutBound = outcome.tileCounts[i].cutBound;
+        part.tiles.back().cameraRays = outcome.tileCounts[i].rays.camera;
+    }
+    return part;
 }
 
 ImageMetadata metadataOf(const RenderStats& stats) {
@@ -156,13 +228,23 @@ ImageMetadata metadataOf(const RenderStats& stats) {
 
 void SceneRenderer::checkOutput(const std::string& output, const RenderDesc& render) const {
     refuseTooManyPixels(render);
+    if (options_.shard) {
+        checkShard(render);
+        return checkWritable(partName(output, *options_.shard));
+    }
     ImageSize size = options_.size.value_or(ImageSize{render.width, render.height});
     if (options_.crop) {
         const Crop crop = clipped(*options_.crop, size.width, size.height).first;
         size = {crop.x1 - crop.x0, crop.y1 - crop.y0};
     }
     checkImageOutput(output, size.width, size.height,
-                     imageSettings(options_.render.over(render.options)));
+                     imageSettings(options_.render.over(render.options)), namesOf(options_.aovs));
+}
+
+/// Where time decides, shards would not fit together.
+void SceneRenderer::checkShard(const RenderDesc& render) const {
+    if (!options_.render.over(render.options).time) return;
+    throw UsageError("--shard needs --spp or --error: --time gives other pixels in every run");
 }
 
 RenderScene SceneRenderer::compiled(const SceneDesc& desc, std::size_t index,
@@ -203,6 +285,9 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.adaptive = goal.adaptive;
     // Towards an error target a pixel's samples depend on the whole image's error.
     job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
+    job.shard = options_.shard.value_or(Shard{});
+    job.wantsPixelErrors =
+        std::find(options_.aovs.begin(), options_.aovs.end(), Aov::kError) != options_.aovs.end();
     job.threads = threads_;
     job.timeLimit = goal.timeLimit;
     job.kernel = &kernel_;
@@ -227,7 +312,7 @@ RenderStats SceneRenderer::statsOf(const RenderScene& scene, const RenderOptions
     stats.height = areaOf(scene).height();
     stats.threads = threads_;
     stats.seed = static_cast<std::uint64_t>(options.seed.value_or(0.0));
-    countSamples(outcome.film, stats);
+    countSamples(outcome.film, options_.shard.has_value(), stats);
     stats.converged = outcome.converged;
     stats.errorEstimate = outcome.errorEstimate;
     const double target = samplingGoal(options).errorTarget;
@@ -241,6 +326,7 @@ RenderStats SceneRenderer::statsOf(const RenderScene& scene, const RenderOptions
     stats.cpuSeconds = outcome.cpuSeconds;
     stats.peakRssBytes = peakResidentBytes();
     stats.rays = outcome.counts.rays;
+    stats.passes = outcome.passes;
     stats.cutPaths = outcome.counts.cutPaths;
     stats.cutErrorBound =
         outcome.counts.cutBound / std::max(1.0, static_cast<double>(outcome.counts.rays.camera));

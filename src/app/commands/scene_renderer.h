@@ -2,6 +2,7 @@
 // commands share.
 #pragma once
 
+#include "picture_part.h"
 #include "rt/app/options.h"
 #include "rt/app/stats.h"
 #include "rt/compile/asset_cache.h"
@@ -31,6 +32,7 @@ struct Picture {
     PixelImage image;
     ImageSettings settings;
     RenderStats stats;
+    std::optional<PicturePart> part;  ///< of a shard, instead of an image; without the scene's hash
     bool cancelled = false;
     std::uint64_t nonFinite = 0;  ///< samples; they count as black
 };
@@ -75,9 +77,16 @@ class SceneRenderer {
   private:
     RenderScene compiled(const SceneDesc& desc, std::size_t index, const RenderOptions& options,
                          Diagnostics& diagnostics);
+    void checkShard(const RenderDesc& render) const;
     void refuseTooManyPixels(const RenderDesc& render) const;
     RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
                            const RenderListener& listener) const;
+    std::vector<ImagePlane> planesBeside(const RenderOutcome& outcome,
+                                         const PreparedScene& prepared, const Tile& area) const;
+    PartTile partTileOf(const RenderOutcome& outcome, const PreparedScene& prepared,
+                        const Tile& place) const;
+    PicturePart partOf(const RenderOutcome& outcome, const PreparedScene& prepared,
+                       const RenderStats& stats) const;
     Tile areaOf(const RenderScene& scene) const;
     RenderStats statsOf(const RenderScene& scene, const RenderOptions& options,
                         const RenderOutcome& outcome) const;
