@@ -321,7 +321,7 @@ class Previewing(Followed):
 
     def test_an_image_refines_and_is_in_the_end_what_its_file_holds(self):
         self.write("scene.lua", EVERYTHING)
-        self.open("scene.lua", "--spp", "600", "-o", "x.png")
+        self.open("scene.lua", "--spp", "600", "-o", "x.png", "--stats", "x.json")
         self.wait_for(lambda status: status["version"] > 0)
         status = self.status()
         self.assertTrue(status["running"])
@@ -340,8 +340,10 @@ class Previewing(Followed):
         self.assertEqual(len(pixel["value"]), 3)
         self.assertLess(0, self.status()["largestError"])
         # The same pixels as without anybody who looks on.
-        self.run_project("scene.lua", "-q", "--spp", "600", "-o", "y.png")
+        self.run_project("scene.lua", "-q", "--spp", "600", "-o", "y.png", "--stats", "y.json")
         self.run_project("compare", "x.png", "y.png", "--tolerance", "0")
+        errors = [json.loads(self.read(name))["renders"][0]["error_estimate"] for name in ("x.json", "y.json")]
+        self.assertAlmostEqual(errors[0] / errors[1], 1, delta=1e-9)
 
     def test_towards_an_error_the_bytes_are_the_same_too(self):
         self.write("scene.lua", EVERYTHING)
