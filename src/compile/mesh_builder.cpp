@@ -124,12 +124,20 @@ void MeshBuilder::shape(TriangleMesh& mesh, const MeshOptions& options) const {
         return merged[a] != merged[b] && merged[b] != merged[c] && merged[c] != merged[a];
     });
     const std::vector<Vec3> faceNormals = faceNormalsOf(mesh, options.threads);
+    std::vector<bool> onBorder(mesh.triangles.size());
     {
         const MeshTopology topology(mesh.triangles, std::move(merged));
         mesh.closed = topology.isClosed(mesh.triangles);
+        if (!mesh.closed) onBorder = topology.onBorder(mesh.triangles);
         smoothNormals(mesh, topology, faceNormals, options.smoothAngleDegrees, options.threads);
     }
-    keepTriangles(mesh, [&](std::size_t t) { return faceNormals[t] != Vec3(0.0); });
+    Index kept = 0;
+    keepTriangles(mesh, [&](std::size_t t) {
+        if (faceNormals[t] == Vec3(0.0)) return false;
+        if (onBorder[t]) mesh.border.push_back(kept);
+        ++kept;
+        return true;
+    });
 }
 
 TriangleMesh MeshBuilder::finish(const MeshOptions& options, const SourceLocation& where,

@@ -81,4 +81,31 @@ bool MeshTopology::isClosed(std::span<const TriangleMesh::Corners> triangles) co
     return true;
 }
 
+std::vector<bool> MeshTopology::onBorder(std::span<const TriangleMesh::Corners> triangles) const {
+    std::vector<bool> border(triangles.size());
+    struct Edge {
+        Index end;
+        Index triangle;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t v = 0; v < merged_.size(); ++v) {
+        edges.clear();
+        for (const Index corner : cornersAt(static_cast<Index>(v))) {
+            const TriangleMesh::Corners& triangle = triangles[corner / 3];
+            for (Index k = 1; k < 3; ++k) {
+                const Index end = merged_[triangle[(corner + k) % 3]];
+                if (end > v) edges.push_back({end, corner / 3});
+            }
+        }
+        std::sort(edges.begin(), edges.end(),
+                  [](const Edge& a, const Edge& b) { return a.end < b.end; });
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const bool shared = (i > 0 && edges[i - 1].end == edges[i].end) ||
+                                (i + 1 < edges.size() && edges[i + 1].end == edges[i].end);
+            if (!shared) border[edges[i].triangle] = true;
+        }
+    }
+    return border;
+}
+
 }  // namespace rt

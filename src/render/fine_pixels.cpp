@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <variant>
 
@@ -21,6 +22,12 @@ constexpr double kTurn = 6.283185307179586;
 
 /// A corner of an outline may show in the pixel next to its own.
 constexpr double kAroundCorner = 0.5;
+
+/// Longer triangles than this, in pixels, show in enough corners.
+constexpr double kLeafPixels = 16.0;
+
+/// This many to a pixel fill it.
+constexpr std::size_t kLeavesInPixel = 4;
 
 /// Nothing nearer than this share of its distance to the eye's plane is projected.
 constexpr double kNearest = 0x1p-20;
@@ -52,7 +59,7 @@ struct Strip {
     double high = -kInfinity;
 
     double width() const { return high - low; }
-    void cover(const std::array<Vec2, 8>& points) {
+    void cover(std::span<const Vec2> points) {
         for (const Vec2& p : points) {
             low = std::min(low, glm::dot(normal, p));
             high = std::max(high, glm::dot(normal, p));
@@ -64,11 +71,11 @@ const Strip kEverywhere{Vec2(0.0), -kInfinity, kInfinity};
 
 /// The narrowest strip over the points among those along the lines between two of them: a convex
 /// hull is narrowest across one of its sides.
-Strip narrowest(const std::array<Vec2, 8>& points) {
+Strip narrowest(std::span<const Vec2> points) {
     Strip best;
     double width = kInfinity;
-    for (std::size_t i = 0; i < 8; ++i) {
-        for (std::size_t j = i + 1; j < 8; ++j) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
             const Vec2 side = points[j] - points[i];
             const double length = std::sqrt(glm::dot(side, side));
             Strip strip{length > 0.0 ? Vec2(-side.y, side.x) / length : Vec2(1.0, 0.0)};
@@ -82,9 +89,8 @@ Strip narrowest(const std::array<Vec2, 8>& points) {
     return best;
 }
 
-/// Marks the pixels in the bounds of the points that meet the strip.
-void mark(std::span<const Vec2> points, const Strip& strip, const Tile& area,
-          std::vector<bool>& fine) {
+/// The pixels in the bounds of the points.
+Tile pixelsAround(std::span<const Vec2> points, const Tile& area) {
     Vec2 low(kInfinity);
     Vec2 high(-kInfinity);
     for (const Vec2& p : points) {
@@ -94,10 +100,14 @@ void mark(std::span<const Vec2> points, const Strip& strip, const Tile& area,
     const auto from = [](double v, int least, int most) {
         return static_cast<int>(std::clamp(std::floor(v), double(least), double(most)));
     };
-    const int x0 = from(low.x, area.x0, area.x1);
-    const int x1 = from(high.x + 1.0, area.x0, area.x1);
-    const int y0 = from(low.y, area.y0, area.y1);
-    const int y1 = from(high.y + 1.0, area.y0, area.y1);
+    return {from(low.x, area.x0, area.x1), from(low.y, area.y0, area.y1),
+            from(high.x + 1.0, area.x0, area.x1), from(high.y + 1.0, area.y0, area.y1)};
+}
+
+/// Marks the pixels in the bounds of the points that meet the strip.
+void mark(std::span<const Vec2> points, const Strip& strip, const Tile& area,
+          std::vector<bool>& fine) {
+    const auto [x0, y0, x1, y1] = pixelsAround(points, area);
     const double reach = 0.5 * (std::fabs(strip.normal.x) + std::fabs(strip.normal.y));
     for (int y = y0; y < y1; ++y) {
         const auto row =
@@ -135,6 +145,26 @@ void markNarrowTube(const RenderScene& scene, const Instance& instance, const To
         const std::array<Vec2, 2> square = {Vec2(at.x - reach, at.y - reach),
                                             Vec2(at.x + reach, at.y + reach)};
         mark(square, kEverywhere, area, fine);
+    }
+}
+
+/// Marks the pixels of the small triangles at the border of an open mesh: leaves, of which the next
+/// one's tip may lie between corners. More triangles than pixels are not looked at one by one.
+void markLeaves(const RenderScene& scene, const Instance& instance, const TriangleMesh& mesh,
+                std::span<const Vec2> box, const Tile& area, std::vector<bool>& fine) {
+    const Tile around = pixelsAround(box, area);
+    const std::size_t pixels =
+        static_cast<std::size_t>(around.width()) * static_cast<std::size_t>(around.height());
+    if (mesh.border.size() > kLeavesInPixel * pixels) return mark(box, kEverywhere, area, fine);
+    for (const Index triangle : mesh.border) {
+        std::array<Vec2, 3> corners;
+        bool isSmall = true;
+        for (std::size_t i = 0; i < 3 && isSmall; ++i) {
+            isSmall = project(scene.camera, instance, mesh.positions[mesh.triangles[triangle][i]],
+                              corners[i]) &&
+                      glm::distance(corners[i], corners[0]) < kLeafPixels;
+        }
+        if (isSmall) mark(corners, narrowest(corners), area, fine);
     }
 }
 
@@ -188,6 +218,8 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
             mark(points, strip, area, fine);
         } else if (const auto* torus = std::get_if<Torus>(&shape)) {
             markNarrowTube(scene, instance, *torus, area, fine);
+        } else if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape)) {
+            markLeaves(scene, instance, (*mesh)->mesh, points, area, fine);
         }
     }
     return fine;

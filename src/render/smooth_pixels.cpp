@@ -64,7 +64,6 @@ void SmoothPixels::readColor(std::size_t corner) {
     if (probe.samples == 0) return;
     const ColorLanes sum{probe.sum.x, probe.sum.y, probe.sum.z, 0.0F};
     corners_[corner].color = sum * (1.0F / static_cast<float>(probe.samples));
-    anyLeaf_ = anyLeaf_ || probe.has(kProbeLeaf);
 }
 
 void SmoothPixels::measureAll() {
@@ -195,23 +194,7 @@ bool SmoothPixels::isOfOnePiece(std::size_t corner) const {
     const bool same = a.surfaces == b.surfaces && a.surfaces == c.surfaces &&
                       a.surfaces == d.surfaces && (lit & dark) == 0;
     if (!same || ((a.marks | b.marks | c.marks | d.marks) & kProbeDetail)) return false;
-    if (anyLeaf_ && !a.has(kProbeLeaf) && isBesideLeaves(corner)) return false;
     return isOneSurface(a, d) && isOneSurface(b, c);
-}
-
-/// Whether any corner of the pixels around this one saw a leaf.
-bool SmoothPixels::isBesideLeaves(std::size_t corner) const {
-    const std::size_t stride = lattice_.stride();
-    const std::size_t column = corner % stride;
-    const std::size_t row = corner / stride;
-    const std::size_t rows = lattice_.probes.size() / stride;
-    for (std::size_t v = std::max<std::size_t>(row, 1) - 1; v < std::min(row + 3, rows); ++v) {
-        for (std::size_t u = std::max<std::size_t>(column, 1) - 1;
-             u < std::min(column + 3, stride); ++u) {
-            if (lattice_.probes[v * stride + u].has(kProbeLeaf)) return true;
-        }
-    }
-    return false;
 }
 
 std::optional<SmoothPixel> SmoothPixels::find(std::size_t corner, double noise) const {

@@ -126,7 +126,6 @@ class Tracer {
     double visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
                           const MediumSet& media);
     void markNarrow(const Path& path, double distance, ProbeSum& sum) const;
-    bool isLeaf(const SceneHit& hit, const Probe& evidence) const;
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;
     double visibility(Index light, const Ray& ray, double reach, const MediumSet& media);

@@ -105,7 +105,6 @@ void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
         evidence.marks |= kProbeHit;
         evidence.position = glm::vec3(point.position - scene_.camera.eye());
         evidence.normal = glm::vec3(point.geometricNormal);
-        if (isMesh && !instance.closed && isLeaf(hit, evidence)) evidence.marks |= kProbeLeaf;
     }
     if constexpr (kImages) {
         const Look& look = scene_.looks[instance.look];
@@ -118,22 +117,6 @@ void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
     for (Index light = 0; light < scene_.lights.size(); ++light) {
         probeLight(light, path, own, hit, point, sum);
     }
-}
-
-template <unsigned Features>
-bool Tracer<Features>::isLeaf(const SceneHit& hit, const Probe& evidence) const {
-    const Instance& instance = scene_.instances[hit.instance];
-    const Affine& toWorld = instance.transform.toWorld();
-    const auto& shape = std::get<std::shared_ptr<const MeshShape>>(scene_.shapes[instance.shape]);
-    const TriangleMesh& mesh = shape->mesh;
-    const TriangleMesh::Corners& corners = mesh.triangles[hit.at.part];
-    const double most = kLeafPixels * scene_.camera.pixelSize() *
-                        static_cast<double>(glm::length(evidence.position));
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 side = mesh.positions[corners[(i + 1) % 3]] - mesh.positions[corners[i]];
-        if (glm::length(toWorld.vector(side)) >= most) return false;
-    }
-    return true;
 }
 
 /// Half of a pixel's diagonal, on the surface.

@@ -85,6 +85,35 @@ TEST_CASE("thin bars that only a mirror shows count towards the error") {
     }
 }
 
+TEST_CASE("tips of leaves beside leaves count towards the error") {
+    const char* const leaves = R"(
+        local points, faces = {}, {}
+        local function leaf(x, y, angle)
+            local n = #points
+            for i, r in ipairs{0.5, 0.08, 0.08} do
+                local a = angle + (i == 1 and 0 or i == 2 and 2 or -2)
+                points[n + i] = {x + r * math.cos(a), y + r * math.sin(a), 0}
+            end
+            faces[#faces + 1] = {n, n + 1, n + 2}
+        end
+        for i = 1, 500 do
+            local a = i * 2.4
+            local r = 0.13 * math.sqrt(i)
+            leaf(r * math.cos(a), r * math.sin(a), i * 1.7)
+        end
+        local root = gr.node('root')
+        root:add_child(gr.mesh('leaves', points, faces, {smooth = false}),
+                       gr.material({1, 1, 1}, {0, 0, 0}, 1))
+        gr.render(root, 'x.png', 90, 60, {0, 0, 12}, {0, 0, -1}, {0.1, 1, 0}, 40, {1, 1, 1}, {}))";
+    PictureSettings truth;
+    truth.options.reference = true;
+    truth.options.spp = 1024;
+    const Picture reference = renderScript(leaves, truth);
+    PictureSettings settings;
+    settings.options.error = 0.004;
+    CHECK(rmse(renderScript(leaves, settings), reference) <= 1.15 * 0.004);
+}
+
 TEST_CASE("towards an error target the picture is the same for any threads and kernel") {
     PictureSettings settings;
     settings.options.error = 0.01;

@@ -113,4 +113,16 @@ TEST_CASE("closedness agrees with counting edges in a map") {
     }
 }
 
+TEST_CASE("a triangle is at the border if an edge of it belongs to no other") {
+    const auto border = [](const Triangles& triangles, std::vector<Index> merged) {
+        return MeshTopology(triangles, std::move(merged)).onBorder(triangles);
+    };
+    CHECK(border(kTetrahedron, {0, 1, 2, 3}) == std::vector<bool>(4, false));
+    // The middle one of four, each of whose edges another has; merged vertices count as one.
+    const Triangles four = {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
+    CHECK(border(four, {0, 1, 2, 3, 4, 5}) == std::vector<bool>{false, true, true, true});
+    CHECK(border({{0, 1, 2}, {3, 4, 5}}, {0, 1, 2, 0, 1, 2}) == std::vector<bool>(2, false));
+    CHECK(border({{0, 1, 2}, {3, 4, 5}}, {0, 1, 2, 3, 4, 5}) == std::vector<bool>(2, true));
+}
+
 }  // namespace

@@ -69,10 +69,11 @@ TEST_CASE("a missing asset is an error at its line that lists where it was looke
         CHECK(run.error.find(base + place) != std::string::npos);
     }
     CHECK(run.error.find("Bump") == std::string::npos);
-    CHECK(runScene(folder, "gr.bumpmap('x.png')").error.find("gr.bumpmap: cannot find") !=
-          std::string::npos);
-    CHECK(runScene(folder, "gr.background('x.png')").error.find("gr.background: cannot find") !=
-          std::string::npos);
+    CHECK(
+        runScene(folder, "gr.bumpmap('no such bumps.png')").error.find("gr.bumpmap: cannot find") !=
+        std::string::npos);
+    CHECK(runScene(folder, "gr.background('no such sky.png')")
+              .error.find("gr.background: cannot find") != std::string::npos);
     CHECK(runScene(folder, "gr.mesh('m', 'x.obj')").error.find(base + "/Model/x.obj") !=
           std::string::npos);
     CHECK(runScene(folder, "gr.mesh('m', '/etc/passwd')").error ==

@@ -28,6 +28,8 @@ class MeshTopology {
 
     /// Whether every edge belongs to exactly two triangles.
     bool isClosed(std::span<const TriangleMesh::Corners> triangles) const;
+    /// For each triangle, whether it has an edge that belongs to no other.
+    std::vector<bool> onBorder(std::span<const TriangleMesh::Corners> triangles) const;
 
   private:
     std::vector<Index> merged_;

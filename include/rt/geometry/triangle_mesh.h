@@ -30,6 +30,8 @@ struct TriangleMesh {
     /// Every edge belongs to exactly two triangles (after merging equal positions): the mesh
     /// bounds a solid. Otherwise it is a sheet.
     bool closed = false;
+    /// Of a mesh that is not closed: the triangles with a side that belongs to no other.
+    std::vector<Index> border;
 
     Bounds bounds() const;
 };

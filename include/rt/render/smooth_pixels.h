@@ -46,8 +46,8 @@ class SmoothPixels {
     void measureAll();
 
     /// The pixel with this upper left corner, if it is smooth: all corners met the same surfaces,
-    /// on one side of each sharp shadow, their surface does not bend away between them, no leaves
-    /// (kProbeLeaf) are beside it, and neighbours tell the differences both ways. `noise` is the variance of a corner's colour.
+    /// on one side of each sharp shadow, their surface does not bend away between them, and
+    /// neighbours tell the differences both ways. `noise` is the variance of a corner's colour.
     std::optional<SmoothPixel> find(std::size_t corner, double noise) const;
     /// The same of a pixel that was found smooth. Later looks may prove shadows sharper than that,
     /// and then the differences are unknown: as much as the corners differ may be a step.
@@ -94,12 +94,10 @@ class SmoothPixels {
     Correction correction(std::size_t corner) const;
     double squaredSpanOfCorners(std::size_t corner) const;
     bool isOfOnePiece(std::size_t corner) const;
-    bool isBesideLeaves(std::size_t corner) const;
     SmoothPixel at(std::size_t corner, double noise, const Correction& off) const;
 
     const Lattice& lattice_;
     ZeroedArray<Corner> corners_;
-    bool anyLeaf_ = false;
 };
 
 }  // namespace rt

@@ -13,16 +13,11 @@ namespace rt {
 /// Narrower than this, in pixels, a thing may pass between corners, or show in too few of them.
 inline constexpr double kNarrowPixels = 3.0;
 
-/// Triangles of open meshes whose sides are shorter, in pixels, are leaves among others: what passes
-/// by one may meet the tip of the next within the same pixel.
-inline constexpr double kLeafPixels = 16.0;
-
 /// What a probe has seen, as bits of `Probe::marks`.
 enum ProbeMark : std::uint32_t {
     kProbeHit = 1u << 0,        ///< the camera ray hit something
     kProbeDetail = 1u << 1,     ///< finer than a pixel, for all that is known: never smooth
     kProbeUncertain = 1u << 2,  ///< some light was neither proved lit nor proved dark
-    kProbeLeaf = 1u << 3,       ///< the camera ray hit a small triangle of an open mesh
 };
 
 /// The colour seen through a corner, as the sums of single samples of the lights, and evidence of
