@@ -44,6 +44,7 @@ RenderStats sample() {
     s.rays = {6, 7, 8, 9};
     s.cutPaths = 10;
     s.cutErrorBound = 1e-9;
+    s.passes = {{12, std::nullopt, 0.05}, {13, 0.00297, 0.1}};
     s.features = {"texture", "focal"};
     s.skipped = {{"bump", "no \"uv\""}};
     s.warnings = 11;
@@ -63,7 +64,10 @@ TEST_CASE("Every key of the contract is there with its value, and no other") {
         "primitives": 2, "instances": 3, "lights": 4, "build_seconds": 0.5, "render_seconds": 0.1,
         "cpu_seconds": 0.25, "peak_rss_bytes": 5,
         "rays": {"camera": 6, "shadow": 7, "reflection": 8, "refraction": 9}, "cut_paths": 10,
-        "cut_error_bound": 1e-9, "features": ["texture", "focal"],
+        "cut_error_bound": 1e-9,
+        "passes": [{"samples": 12, "error_estimate": null, "seconds": 0.05},
+                   {"samples": 13, "error_estimate": 0.00297, "seconds": 0.1}],
+        "features": ["texture", "focal"],
         "skipped": [{"what": "bump", "why": "no \"uv\""}], "warnings": 11})");
     CHECK(all["renders"][0] == expected);
 }
