@@ -6,6 +6,18 @@
 #include <utility>
 
 namespace rt {
+namespace {
+
+/// What is known under a key, or else what `load` gives; a load that fails leaves nothing.
+template <class Map, class Load>
+typename Map::mapped_type remembered(Map& known, const typename Map::key_type& key,
+                                     const Load& load) {
+    const auto entry = known.find(key);
+    if (entry != known.end()) return entry->second;
+    return known[key] = load();
+}
+
+}  // namespace
 
 std::shared_ptr<const MeshShape> AssetCache::withTree(TriangleMesh mesh) const {
     if (mesh.triangles.empty()) return nullptr;
@@ -13,17 +25,19 @@ std::shared_ptr<const MeshShape> AssetCache::withTree(TriangleMesh mesh) const {
     return std::make_shared<const MeshShape>(MeshShape{std::move(mesh), std::move(tree)});
 }
 
+MeshOptions AssetCache::optionsFor(double angle) const {
+    MeshOptions options;
+    options.smoothAngleDegrees = angle;
+    options.threads = threads_;
+    return options;
+}
+
 std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshFileDesc& file,
                                                   double smoothAngleDegrees,
                                                   Diagnostics& diagnostics) {
     const double angle = file.smoothAngle.value_or(smoothAngleDegrees);
-    const std::pair key(file.path, angle);
-    const auto known = files_.find(key);
-    if (known != files_.end()) return known->second;
-    MeshOptions options;
-    options.smoothAngleDegrees = angle;
-    options.threads = threads_;
-    return files_[key] = withTree(loadObj(file.path, options, diagnostics));
+    return remembered(files_, {file.path, angle},
+                      [&] { return withTree(loadObj(file.path, optionsFor(angle), diagnostics)); });
 }
 
 std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, Index key,
@@ -31,27 +45,23 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
                                                   const SourceLocation& where,
                                                   Diagnostics& diagnostics) {
     const double angle = table.smoothAngle.value_or(smoothAngleDegrees);
-    const std::pair entry(key, angle);
-    const auto known = tables_.find(entry);
-    if (known != tables_.end()) return known->second;
-    MeshOptions options;
-    options.smoothAngleDegrees = angle;
-    options.threads = threads_;
-    return tables_[entry] = withTree(meshFromPolygons(
-               table.vertices, table.corners, table.faceSizes, options, where, diagnostics));
+    return remembered(tables_, {key, angle}, [&] {
+        return withTree(meshFromPolygons(table.vertices, table.corners, table.faceSizes,
+                                         optionsFor(angle), where, diagnostics));
+    });
 }
 
 std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
                                                  const TextureSettings& settings,
                                                  std::uint64_t maxPixels,
                                                  Diagnostics& diagnostics) {
-    const std::tuple key(image.path, settings.flipV, settings.srgb, settings.prefilter);
-    const auto known = images_.find(key);
-    if (known != images_.end()) return known->second;
-    ImageLimits limits;
-    limits.maxPixels = maxPixels;
-    return images_[key] = std::make_shared<const Texture>(
-               loadImage(image.path, limits, diagnostics), settings);
+    return remembered(images_, {image.path, settings.flipV, settings.srgb, settings.prefilter},
+                      [&] {
+                          ImageLimits limits;
+                          limits.maxPixels = maxPixels;
+                          return std::make_shared<const Texture>(
+                              loadImage(image.path, limits, diagnostics), settings);
+                      });
 }
 
 void AssetCache::forgetFile(const std::string& path) {

@@ -59,23 +59,29 @@ MeshTopology::MeshTopology(std::span<const TriangleMesh::Corners> triangles,
     first_[0] = 0;
 }
 
+void MeshTopology::findEdges(std::span<const TriangleMesh::Corners> triangles, Index vertex,
+                             std::vector<Edge>& edges) const {
+    edges.clear();
+    for (const Index corner : cornersAt(vertex)) {
+        const TriangleMesh::Corners& triangle = triangles[corner / 3];
+        for (Index k = 1; k < 3; ++k) {
+            const Index end = merged_[triangle[(corner + k) % 3]];
+            if (end > vertex) edges.push_back({end, corner / 3});
+        }
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return a.end < b.end; });
+}
+
 bool MeshTopology::isClosed(std::span<const TriangleMesh::Corners> triangles) const {
     if (triangles.empty()) return false;
-    std::vector<Index> ends;
+    std::vector<Edge> edges;
     for (std::size_t v = 0; v < merged_.size(); ++v) {
-        ends.clear();
-        for (const Index corner : cornersAt(static_cast<Index>(v))) {
-            const TriangleMesh::Corners& triangle = triangles[corner / 3];
-            for (Index k = 1; k < 3; ++k) {
-                const Index end = merged_[triangle[(corner + k) % 3]];
-                // An edge is counted at the lower of its two ends.
-                if (end > v) ends.push_back(end);
-            }
-        }
-        std::sort(ends.begin(), ends.end());
-        if (ends.size() % 2 != 0) return false;
-        for (std::size_t i = 0; i < ends.size(); i += 2) {
-            if (ends[i] != ends[i + 1] || (i > 0 && ends[i] == ends[i - 1])) return false;
+        findEdges(triangles, static_cast<Index>(v), edges);
+        if (edges.size() % 2 != 0) return false;
+        for (std::size_t i = 0; i < edges.size(); i += 2) {
+            if (edges[i].end != edges[i + 1].end) return false;
+            if (i > 0 && edges[i].end == edges[i - 1].end) return false;
         }
     }
     return true;
@@ -83,22 +89,9 @@ bool MeshTopology::isClosed(std::span<const TriangleMesh::Corners> triangles) co
 
 std::vector<bool> MeshTopology::onBorder(std::span<const TriangleMesh::Corners> triangles) const {
     std::vector<bool> border(triangles.size());
-    struct Edge {
-        Index end;
-        Index triangle;
-    };
     std::vector<Edge> edges;
     for (std::size_t v = 0; v < merged_.size(); ++v) {
-        edges.clear();
-        for (const Index corner : cornersAt(static_cast<Index>(v))) {
-            const TriangleMesh::Corners& triangle = triangles[corner / 3];
-            for (Index k = 1; k < 3; ++k) {
-                const Index end = merged_[triangle[(corner + k) % 3]];
-                if (end > v) edges.push_back({end, corner / 3});
-            }
-        }
-        std::sort(edges.begin(), edges.end(),
-                  [](const Edge& a, const Edge& b) { return a.end < b.end; });
+        findEdges(triangles, static_cast<Index>(v), edges);
         for (std::size_t i = 0; i < edges.size(); ++i) {
             const bool shared = (i > 0 && edges[i - 1].end == edges[i].end) ||
                                 (i + 1 < edges.size() && edges[i + 1].end == edges[i].end);

@@ -1,10 +1,8 @@
 #include "rt/image/oiio_library.h"
 
-#include <dlfcn.h>
+#include "rt/core/plugin.h"
 
-#include <filesystem>
-#include <system_error>
-#include <vector>
+#include <dlfcn.h>
 
 namespace rt {
 namespace {
@@ -17,19 +15,8 @@ bool find(void* library, const char* name, Function*& function) {
     return function != nullptr;
 }
 
-std::vector<std::filesystem::path> candidates() {
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path folder = program.parent_path();
-    return {folder / kName, folder / ".." / "lib" / "project" / kName,
-            folder / "build" / "release" / kName};
-}
-
 OiioLibrary openFirst() {
-    for (const std::filesystem::path& path : candidates()) {
-        std::error_code error;
-        if (std::filesystem::exists(path, error)) return openOiioLibrary(path.string());
-    }
+    if (const auto path = findPlugin(kName)) return openOiioLibrary(*path);
     return {nullptr, nullptr, nullptr,
             std::string("built without OpenImageIO: install libopenimageio-dev and build again (") +
                 kName + " is missing beside the program)"};

@@ -97,6 +97,12 @@ bool holdsFloats(const std::string& path) {
     return imageFormatOf(path).floats;
 }
 
+std::vector<std::string> namesOf(const std::vector<ImagePlane>& planes) {
+    std::vector<std::string> names;
+    for (const ImagePlane& plane : planes) names.push_back(plane.name);
+    return names;
+}
+
 std::vector<std::string> imageFiles(const std::string& path,
                                     const std::vector<std::string>& planes) {
     std::vector<std::string> files;
@@ -148,9 +154,7 @@ std::string writeImage(const std::string& path, const PixelImage& image,
                        const ImageSettings& settings, const ImageMetadata& metadata) {
     const std::vector<std::uint8_t> bytes =
         encodeImage(imageFormatOf(path), image, settings, metadata);
-    std::vector<std::string> planes;
-    for (const ImagePlane& plane : image.planes) planes.push_back(plane.name);
-    const std::vector<std::string> files = imageFiles(path, planes);
+    const std::vector<std::string> files = imageFiles(path, namesOf(image.planes));
     std::string warnings;
     const auto write = [&](const std::string& file, const std::vector<std::uint8_t>& content) {
         const std::string warning = writeFile(file, content);

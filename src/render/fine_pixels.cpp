@@ -173,10 +173,11 @@ void markTip(const Camera& camera, const Instance& instance, const Cone& cone, c
              std::vector<bool>& fine) {
     const Bounds whole = cone.bounds();
     const Vec3 middle = 0.5 * (whole.min + whole.max);
+    const Vec3 apex(middle.x, whole.min.y, middle.z);
     Vec2 image;
-    const Vec3 apex = instance.transform.toWorld().point({middle.x, whole.min.y, middle.z});
-    if (!project(camera, instance, {middle.x, whole.min.y, middle.z}, image)) return;
-    const double pixel = camera.pixelSize() * camera.project(apex).depth * instance.objectScale;
+    if (!project(camera, instance, apex, image)) return;
+    const double depth = camera.project(instance.transform.toWorld().point(apex)).depth;
+    const double pixel = camera.pixelSize() * depth * instance.objectScale;
     const double share = std::min(1.0, kNarrowPixels * pixel / (whole.max.x - whole.min.x));
     const Vec3 half = 0.5 * share * (whole.max - whole.min);
     const Bounds tip{{middle.x - half.x, whole.min.y, middle.z - half.z},

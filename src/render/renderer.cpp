@@ -372,12 +372,6 @@ std::optional<UniformError> uniformError(Film& film) {
     return UniformError{std::sqrt(estimate.squaredError()), estimate.squaredErrors()};
 }
 
-RenderSnapshot uniformSnapshot(Film& film) {
-    Adaptive estimate(film, nullptr, {});
-    estimate.update();
-    return estimate.snapshot();
-}
-
 RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     RenderOutcome outcome(job.area);
     const double cpuBefore = processCpuSeconds();
@@ -392,11 +386,13 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         outcome.passes = towards.passes();
     } else {
         outcome.converged = renderUniform(run, job, outcome.film);
-        if (std::optional<UniformError> error = uniformError(outcome.film)) {
-            outcome.errorEstimate = error->rmse + run.cutError();
-            if (job.wantsPixelErrors) outcome.pixelErrors = std::move(error->squared);
+        Adaptive estimate(outcome.film, nullptr, {});
+        estimate.update();
+        if (estimate.knowsError()) {
+            outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
+            if (job.wantsPixelErrors) outcome.pixelErrors = estimate.squaredErrors();
         }
-        if (job.onSnapshot) last = uniformSnapshot(outcome.film);
+        if (job.onSnapshot) last = estimate.snapshot();
     }
     outcome.counts = run.counts();
     outcome.tileCounts = run.tileCounts();

@@ -2,8 +2,7 @@
 // marked.
 #include "rt/render/fine_pixels.h"
 
-#include "rt/compile/compile.h"
-#include "support/render_script.h"
+#include "support/textured_scene.h"
 #include "trace/scene_intersect.h"
 
 #include <doctest/doctest.h>
@@ -34,11 +33,7 @@ RenderScene compiledSolid(const std::string& solid, const Vec3& turn, double sca
         "root = gr.node('root') s = " + solid + " " + place +
         " root:add_child(s, gr.material({1, 1, 1}, {0, 0, 0}, 1))"
         " gr.render(root, 'o.png', 40, 30, {0, 0, 10}, {0, 0, -1}, {0, 1, 0}, 30, {1, 1, 1}, {})";
-    const TemporaryFolder folder;
-    Diagnostics diagnostics;
-    const SceneDesc scene = runScript(folder.write("scene.lua", script), {}, diagnostics).scene;
-    AssetCache assets(1);
-    return compileScene(scene, 0, {}, assets, diagnostics);
+    return compiled(TemporaryFolder(), script);
 }
 
 bool shows(const RenderScene& scene, double x, double y) {

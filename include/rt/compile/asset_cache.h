@@ -13,6 +13,8 @@
 
 namespace rt {
 
+struct MeshOptions;
+
 class AssetCache {
   public:
     explicit AssetCache(int threads) : threads_(threads) {}
@@ -33,6 +35,7 @@ class AssetCache {
     void forgetFile(const std::string& path);
 
   private:
+    MeshOptions optionsFor(double smoothAngleDegrees) const;
     std::shared_ptr<const MeshShape> withTree(TriangleMesh mesh) const;
 
     int threads_;

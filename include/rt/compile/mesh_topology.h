@@ -32,6 +32,16 @@ class MeshTopology {
     std::vector<bool> onBorder(std::span<const TriangleMesh::Corners> triangles) const;
 
   private:
+    struct Edge {
+        Index end;
+        Index triangle;
+    };
+
+    /// The edges whose lower end is this vertex, each once for each of its triangles, in the order
+    /// of their other ends.
+    void findEdges(std::span<const TriangleMesh::Corners> triangles, Index vertex,
+                   std::vector<Edge>& edges) const;
+
     std::vector<Index> merged_;
     std::vector<Index> first_;
     std::vector<Index> corners_;

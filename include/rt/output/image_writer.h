@@ -54,6 +54,8 @@ const ImageFormat& imageFormatOf(const std::string& path);
 /// True for formats whose error is relative beyond 1 (float files) rather than clipped to [0,1].
 bool holdsFloats(const std::string& path);
 
+std::vector<std::string> namesOf(const std::vector<ImagePlane>& planes);
+
 /// The files that an image with planes of these names is written to, `path` the last of them. A
 /// format with layers holds the planes as layers; beside any other each has a file of its own,
 /// "x.depth.pfm" for "x.png". Throws UsageError for planes beside a stream.

@@ -8,6 +8,7 @@
 #include "rt/core/text.h"
 #include "rt/output/atomic_file.h"
 #include "rt/render/renderer.h"
+#include "scene_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,16 +179,13 @@ int mergeCommand(const MergeOptions& options) {
     requireAll(parts);
     Merged merged(parts);
     const ImageMetadata metadata = merged.metadata();
-    std::vector<std::string> planes;
-    for (const ImagePlane& plane : merged.image().planes) planes.push_back(plane.name);
-    checkImageOutput(options.output, merged.image().width, merged.image().height, merged.settings(),
-                     planes);
-    const std::string warning =
-        writeImage(options.output, merged.image(), merged.settings(), metadata);
+    const PixelImage& image = merged.image();
+    checkImageOutput(options.output, image.width, image.height, merged.settings(),
+                     namesOf(image.planes));
+    const std::string warning = writeImage(options.output, image, merged.settings(), metadata);
     if (!warning.empty()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    for (const Diagnostics::Warning& shown : diagnostics.shown()) {
-        std::fprintf(stderr, "%swarning: %s [-W%s]\n", shown.where.prefix().c_str(),
-                     shown.message.c_str(), shown.kind.c_str());
+    for (const std::string& line : warningLines(diagnostics)) {
+        std::fprintf(stderr, "%s\n", line.c_str());
     }
     const std::string error =
         metadata.error ? ", estimated error " + shortest(*metadata.error) : "";

@@ -16,6 +16,13 @@ bool leavesFolder(const std::string& name) {
 
 }  // namespace
 
+std::pair<std::string, std::string> splitExtension(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    const std::size_t slash = name.rfind('/');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {name, ""};
+    return {name.substr(0, dot), name.substr(dot)};
+}
+
 std::vector<std::string> OutputNames::namesFor(const SceneDesc& scene, std::int64_t frame,
                                                Diagnostics& diagnostics) {
     std::vector<std::string> names;

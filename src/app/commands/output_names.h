@@ -8,9 +8,13 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rt {
+
+/// A name before its extension, and that with its dot; "" if it has none.
+std::pair<std::string, std::string> splitExtension(const std::string& name);
 
 /// Hands out the names of one run of the program, and sees to it that none is used twice unnoticed.
 class OutputNames {

@@ -1,5 +1,6 @@
 #include "picture_part.h"
 
+#include "output_names.h"
 #include "rt/core/error.h"
 #include "scene_hash.h"
 
@@ -241,13 +242,8 @@ PicturePart decodePart(const std::vector<std::uint8_t>& bytes, const std::string
 std::string partName(const std::string& output, const Shard& shard) {
     constexpr std::string_view kExtension = ".part";
     if (output.ends_with(kExtension)) return output;
-    const std::size_t dot = output.rfind('.');
-    const std::size_t slash = output.rfind('/');
-    const bool hasExtension =
-        dot != std::string::npos && (slash == std::string::npos || dot > slash);
-    return output.substr(0, hasExtension ? dot : output.size()) + "." +
-           std::to_string(shard.index) + "-of-" + std::to_string(shard.count) +
-           std::string(kExtension);
+    return splitExtension(output).first + "." + std::to_string(shard.index) + "-of-" +
+           std::to_string(shard.count) + std::string(kExtension);
 }
 
 }  // namespace rt

@@ -38,12 +38,8 @@ struct Left {};
 /// "name.partial.png", for an image that is not finished; a stream stays what it is.
 std::string partialName(const std::string& name) {
     if (isStream(name)) return name;
-    const std::size_t dot = name.rfind('.');
-    const std::size_t slash = name.rfind('/');
-    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) {
-        return name + ".partial";
-    }
-    return name.substr(0, dot) + ".partial" + name.substr(dot);
+    const auto [stem, extension] = splitExtension(name);
+    return stem + ".partial" + extension;
 }
 
 /// The outputs that are files; nothing can depend on a stream.

@@ -1,6 +1,7 @@
 #include "preview_server.h"
 
 #include "rt/core/error.h"
+#include "rt/core/plugin.h"
 
 #include <arpa/inet.h>
 #include <dlfcn.h>
@@ -13,8 +14,6 @@
 #include <cerrno>
 #include <cstring>
 #include <exception>
-#include <filesystem>
-#include <system_error>
 
 namespace rt {
 namespace {
@@ -66,13 +65,8 @@ std::string freshToken() {
 }
 
 void* openPlugin() {
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path folder = program.parent_path();
-    for (const auto& path : {folder / kPlugin, folder / ".." / "lib" / "project" / kPlugin,
-                             folder / "build" / "release" / kPlugin}) {
-        if (!std::filesystem::exists(path, error)) continue;
-        void* const plugin = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (const auto path = findPlugin(kPlugin)) {
+        void* const plugin = ::dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
         if (plugin) return plugin;
         refuse(std::string("the server cannot be loaded: install libmicrohttpd12 (") + ::dlerror() +
                ")");
