@@ -29,6 +29,8 @@ int run(const std::vector<std::string>& arguments) {
             return rt::goldenCommand(options);
         case rt::Command::kMerge:
             return rt::mergeCommand(options.merge);
+        case rt::Command::kPrint:
+            return rt::printCommand(options);
         case rt::Command::kRender:
             return rt::renderCommand(options);
     }

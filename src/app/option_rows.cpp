@@ -1,6 +1,7 @@
 #include "option_rows.h"
 
 #include "option_values.h"
+#include "rt/app/documents.h"
 #include "rt/core/error.h"
 
 #include <limits>
@@ -23,6 +24,13 @@ CommandRow flag(const char* section, const char* flags, const char* text, bool O
             }};
 }
 
+/// ": depth, normal" after a text, for --help.
+std::string listed(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? ": " : ", ") + word;
+    return text;
+}
+
 void addOutputRows(Rows& rows) {
     rows.push_back({kOutput, "-o", "FILE",
                     "where the image goes, instead of where the script says; - is stdout; a # "
@@ -42,10 +50,9 @@ void addOutputRows(Rows& rows) {
     rows.push_back({kOutput, "--shard", "i/n",
                     "render the i-th of n parts, for ./Project merge to join",
                     [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});
-    rows.push_back({kOutput, "--aov", "NAMES",
-                    "more images beside the output: depth, normal, albedo, position, id, uv, "
-                    "samples, error",
-                    [](Options& o, const std::string& v) { o.aovs = aovsFrom("--aov", v); }});
+    rows.push_back({kOutput, "--aov", "NAMES", "more images beside the output" + listed(aovNames()),
+                    [](Options& o, const std::string& v) { o.aovs = aovsFrom("--aov", v); },
+                    aovNames()});
     rows.push_back({kOutput, "--stats", "FILE", "write statistics as JSON",
                     [](Options& o, const std::string& v) {
                         if (v.empty()) throw UsageError("--stats: the name of the file is empty");
@@ -59,19 +66,12 @@ void addOutputRows(Rows& rows) {
                     }});
 }
 
-std::string sharedText(const OptionRow& row) {
-    std::string text = row.help;
-    for (std::size_t i = 0; i < row.choices.size(); ++i) {
-        text += (i == 0 ? ": " : ", ") + row.choices[i];
-    }
-    return text;
-}
-
 void addSharedRows(Rows& rows) {
     for (const OptionRow& row : optionTable()) {
-        rows.push_back(
-            {kQuality, "--" + std::string(row.name), row.valueName, sharedText(row),
-             [&row](Options& o, const std::string& v) { storeShared(row, v, o.render); }});
+        rows.push_back({kQuality, "--" + std::string(row.name), row.valueName,
+                        row.help + listed(row.choices),
+                        [&row](Options& o, const std::string& v) { storeShared(row, v, o.render); },
+                        row.choices});
     }
 }
 
@@ -110,17 +110,19 @@ void addScriptRows(Rows& rows) {
 }
 
 void addRunRows(Rows& rows) {
+    static const std::vector<std::string> kIsas{"baseline", "avx2", "avx512"};
     rows.push_back({kRun, "-j,--threads", "N",
                     "number of threads; default 0, the cores that this process may use",
                     [](Options& o, const std::string& v) {
                         o.threads = static_cast<int>(wholeIn("--threads", v, 0, kMostThreads));
                     }});
     rows.push_back({kRun, "--isa", "NAME",
-                    "instruction set, which changes no image: baseline, avx2, avx512",
+                    "instruction set, which changes no image" + listed(kIsas),
                     [](Options& o, const std::string& v) {
-                        wordFrom("--isa", v, {"baseline", "avx2", "avx512"});
+                        wordFrom("--isa", v, kIsas);
                         o.isa = v;
-                    }});
+                    },
+                    kIsas});
     rows.push_back(
         flag(kRun, "--check", "run the script, load everything, render nothing", &Options::check));
     rows.push_back(flag(kRun, "--explain",
@@ -142,21 +144,30 @@ void addRunRows(Rows& rows) {
 }
 
 void addMessageRows(Rows& rows) {
+    static const std::vector<std::string> kWhen{"auto", "always", "never"};
     rows.push_back(flag(kMessages, "--werror", "a warning is an error", &Options::werror));
     rows.push_back(
         flag(kMessages, "-q,--quiet", "no progress, and nothing at the end", &Options::quiet));
     rows.push_back(flag(kMessages, "-v,--verbose", "more about errors and what is going on",
                         &Options::verbose));
-    rows.push_back(
-        {kMessages, "--color", "WHEN", "colours in messages: auto, always, never",
-         [](Options& o, const std::string& v) {
-             o.color = static_cast<ColorMode>(wordFrom("--color", v, {"auto", "always", "never"}));
-         }});
+    rows.push_back({kMessages, "--color", "WHEN", "colours in messages" + listed(kWhen),
+                    [](Options& o, const std::string& v) {
+                        o.color = static_cast<ColorMode>(wordFrom("--color", v, kWhen));
+                    },
+                    kWhen});
+    rows.push_back({kMessages, "--print", "WHAT",
+                    "print a text about the program" + listed(documentNames()),
+                    [](Options& o, const std::string& v) {
+                        wordFrom("--print", v, documentNames());
+                        o.document = v;
+                        if (o.command != Command::kHelp) o.command = Command::kPrint;
+                    },
+                    documentNames()});
     rows.push_back({kMessages, "-h,--help", "", "show this",
                     [](Options& o, const std::string&) { o.command = Command::kHelp; }});
     rows.push_back(
         {kMessages, "--version", "", "show the version", [](Options& o, const std::string&) {
-             if (o.command != Command::kHelp) o.command = Command::kVersion;
+             if (o.command == Command::kRender) o.command = Command::kVersion;
          }});
 }
 

@@ -16,6 +16,7 @@ struct CommandRow {
     std::string text;
     /// Stores the value, "true" or "false" for a flag; throws UsageError.
     std::function<void(Options&, const std::string&)> apply;
+    std::vector<std::string> choices = {};  ///< all values there are, if they can be listed
 };
 
 const std::vector<CommandRow>& commandRows();

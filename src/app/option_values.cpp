@@ -156,7 +156,10 @@ std::size_t wordFrom(const std::string& flag, const std::string& text,
         if (words[i] == text) return i;
         all += (all.empty() ? "" : ", ") + words[i];
     }
-    refuseValue(flag, text, "must be one of " + all);
+    const std::string nearest = nearestName(text, words);
+    refuseValue(
+        flag, text,
+        "must be one of " + all + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
 void storeShared(const OptionRow& row, const std::string& text, RenderOptions& options) {

@@ -130,14 +130,18 @@ Options parseCompare(const std::vector<std::string>& arguments) {
     return options;
 }
 
-Options parseMerge(const std::vector<std::string>& arguments) {
-    static const std::vector<CommandRow> kRows = {
+const std::vector<CommandRow>& mergeRows() {
+    static const std::vector<CommandRow> table = {
         {"Merge", "-h,--help", "", "show this",
          [](Options& o, const std::string&) { o.command = Command::kHelp; }},
     };
+    return table;
+}
+
+Options parseMerge(const std::vector<std::string>& arguments) {
     Options options;
     options.command = Command::kMerge;
-    const Words words = readWords(arguments, kRows);
+    const Words words = readWords(arguments, mergeRows());
     apply(words, options);
     if (options.command == Command::kHelp) return options;
     if (words.others.size() < 2) {
@@ -149,6 +153,7 @@ Options parseMerge(const std::vector<std::string>& arguments) {
 }
 
 const std::vector<CommandRow>& goldenRows() {
+    static const std::vector<std::string> kTiers{"exact", "portable", "statistical"};
     static const std::vector<CommandRow> table = {
         {"Golden", "--update", "", "write the references of what changed or has none",
          [](Options& o, const std::string& v) {
@@ -157,9 +162,9 @@ const std::vector<CommandRow>& goldenRows() {
         {"Golden", "--tier", "NAME",
          "how far a picture may be from its reference: exact, portable (default), statistical",
          [](Options& o, const std::string& v) {
-             o.golden.tier = static_cast<GoldenTier>(
-                 wordFrom("--tier", v, {"exact", "portable", "statistical"}));
-         }},
+             o.golden.tier = static_cast<GoldenTier>(wordFrom("--tier", v, kTiers));
+         },
+         kTiers},
         {"Golden", "--report", "DIR", "folder of the report; default golden_report",
          [](Options& o, const std::string& v) {
              if (v.empty()) throw UsageError("--report: the name of the folder is empty");
@@ -172,9 +177,9 @@ const std::vector<CommandRow>& goldenRows() {
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
     static const std::set<std::string> without = {
-        "-o",          "--crop",    "--frames",      "--stats",   "--aov",
-        "--shard",     "--deps",    "--list-params", "--check",   "--explain",
-        "--fail-fast", "--version", "--watch",       "--preview", "--preview-port"};
+        "-o",      "--crop",        "--frames",       "--stats",   "--aov",       "--shard",
+        "--deps",  "--list-params", "--check",        "--explain", "--fail-fast", "--version",
+        "--watch", "--preview",     "--preview-port", "--print"};
     return without.count(row.flags) == 0;
 }
 
@@ -237,7 +242,14 @@ OptionHelp helpOf(const CommandRow& row) {
     std::string flags = row.flags;
     const std::size_t comma = flags.find(',');
     if (comma != std::string::npos) flags.insert(comma + 1, " ");
-    return {row.section, flags, row.valueName, row.text};
+    return {row.section, flags, row.valueName, row.text, row.choices};
+}
+
+const std::vector<CommandRow>& rowsOf(Command command) {
+    if (command == Command::kCompare) return compareRows();
+    if (command == Command::kMerge) return mergeRows();
+    if (command == Command::kGolden) return goldenRows();
+    return commandRows();
 }
 
 }  // namespace
@@ -267,6 +279,16 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (options.defaultScene) options.scenes = {kDefaultScene};
     if (end != arguments.end()) options.scriptArguments.assign(end + 1, arguments.end());
     return options;
+}
+
+std::vector<OptionHelp> optionHelp(Command command) {
+    std::vector<OptionHelp> all;
+    for (const CommandRow& row : rowsOf(command)) all.push_back(helpOf(row));
+    if (command != Command::kGolden) return all;
+    for (const CommandRow& row : commandRows()) {
+        if (isForGolden(row)) all.push_back(helpOf(row));
+    }
+    return all;
 }
 
 std::vector<OptionHelp> optionHelp() {

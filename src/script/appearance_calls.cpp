@@ -82,13 +82,16 @@ std::vector<CallRow> makers() {
         {"material",
          "A Phong material.",
          {{{{"diffuse", Kind::kColor, "{r,g,b} of the matt part."}, kSpecular, kExponent},
-           material}}},
+           material}},
+         "gr.material"},
         {"texture",
          "A material whose matt part comes from an image.",
-         {{{{"file", Kind::kText, "The image."}, kSpecular, kExponent}, texture}}},
+         {{{{"file", Kind::kText, "The image."}, kSpecular, kExponent}, texture}},
+         "gr.texture"},
         {"bumpmap",
          "A tangent-space normal map, or a height map if the image has one channel.",
-         {{{{"file", Kind::kText, "The image."}}, bumpmap}}},
+         {{{{"file", Kind::kText, "The image."}}, bumpmap}},
+         "gr.bumpmap"},
     };
 }
 

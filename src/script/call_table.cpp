@@ -9,9 +9,8 @@ namespace {
 
 std::vector<CallRow> allRows() {
     std::vector<CallRow> all;
-    for (auto* rows : {nodeCalls, primitiveCalls, meshCalls, appearanceCalls, lightCalls,
-                       renderCalls, optionCalls, parameterCalls}) {
-        std::vector<CallRow> more = rows();
+    for (const CallGroup& group : callGroups()) {
+        std::vector<CallRow> more = group.rows();
         std::move(more.begin(), more.end(), std::back_inserter(all));
     }
     return all;
@@ -86,6 +85,20 @@ void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& b
 
 }  // namespace
 
+const std::vector<CallGroup>& callGroups() {
+    static const std::vector<CallGroup> groups = {
+        {"Nodes", nodeCalls},
+        {"Primitives", primitiveCalls},
+        {"Meshes", meshCalls},
+        {"Appearance", appearanceCalls},
+        {"Lights and lens", lightCalls},
+        {"Images", renderCalls},
+        {"Options", optionCalls},
+        {"Parameters", parameterCalls},
+    };
+    return groups;
+}
+
 const std::vector<CallRow>& callTable() {
     static const std::vector<CallRow> table = allRows();
     return table;
@@ -93,8 +106,8 @@ const std::vector<CallRow>& callTable() {
 
 const std::vector<FieldRow>& fieldTable() {
     static const std::vector<FieldRow> table = {
-        {"frame", "The number of the frame, 1 without --frames."},
-        {"time", "From 0 at the first frame to 1 at the last."},
+        {"frame", "integer", "The number of the frame, 1 without --frames."},
+        {"time", "number", "From 0 at the first frame to 1 at the last."},
     };
     return table;
 }

@@ -38,6 +38,7 @@ struct Parameter {
     Range range = {};
     bool optional = false;
     std::optional<double> fallback = {};  ///< of an optional number; objects fall back to none
+    const char* type = "";  ///< of a kTable or kAny, as editors spell it: "gr.tuple[]"
 };
 
 /// What a parameter became; nothing where an optional one was left out.
@@ -90,6 +91,7 @@ struct CallRow {
     const char* name;
     const char* doc;
     std::vector<CallForm> forms;
+    const char* returns = "";  ///< as editors spell it: "gr.node"; "" for nothing
 
     bool isMethod() const { return forms.front().parameters.front().kind == ParameterKind::kNode; }
 };
@@ -97,9 +99,21 @@ struct CallRow {
 /// A plain field of gr.
 struct FieldRow {
     const char* name;
+    const char* type;
     const char* doc;
 };
 
+/// Calls of one concept, under the title that the reference gives them.
+struct CallGroup {
+    const char* title;
+    std::vector<CallRow> (*rows)();
+};
+
+/// Stands for the one type that a call both takes and returns: a number, a string or a boolean.
+inline constexpr const char* kSameType = "T";
+
+const std::vector<CallGroup>& callGroups();
+/// The rows of all groups.
 const std::vector<CallRow>& callTable();
 const std::vector<FieldRow>& fieldTable();
 std::vector<std::string> callNames();

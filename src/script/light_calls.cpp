@@ -88,16 +88,23 @@ std::vector<CallRow> lightCalls() {
             {"falloff", Kind::kTuple, "{c0,c1,c2}.", kNotNegative},
             kRadius,
             kBrightness},
-           light}}},
+           light}},
+         "gr.light"},
         {"focal",
          "A thin lens.",
-         {{{{"p", Kind::kAny,
+         {{{{"p",
+             Kind::kAny,
              "Distance to the plane in focus along the view direction, or the point {x,y,z} to "
-             "focus on."},
+             "focus on.",
+             {},
+             false,
+             {},
+             "number|gr.tuple"},
             {"f", Kind::kNumber, "Focal length, below p; kept, but without effect on the picture.",
              kPositive},
             {"a", Kind::kNumber, "Radius of the lens; 0 is a pinhole.", kNotNegative}},
-           focal}}},
+           focal}},
+         "gr.focal"},
     };
 }
 

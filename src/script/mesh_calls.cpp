@@ -17,7 +17,9 @@ constexpr Parameter kOptions{
     Kind::kTable,
     "{smooth = true | false | degrees}: within which angle faces are smoothed.",
     {},
-    true};
+    true,
+    {},
+    "{ smooth?: boolean|number }"};
 
 constexpr Range kSmoothAngle{0.0, 180.0, false, false};
 constexpr Range kCornerNumbers{0.0, static_cast<double>(kNone) - 1.0, false, false};
@@ -131,16 +133,23 @@ CallResult meshFromTables(Call& call) {
 }  // namespace
 
 std::vector<CallRow> meshCalls() {
-    const Parameter vertices{"vertices", Kind::kTable, "A table of points {x,y,z}."};
-    const Parameter faces{"faces", Kind::kTable,
+    const Parameter vertices{"vertices", Kind::kTable, "A table of points {x,y,z}.", {}, false,
+                             {},         "gr.tuple[]"};
+    const Parameter faces{"faces",
+                          Kind::kTable,
                           "A table of polygons of any length, each a table of vertex numbers that "
-                          "count from 0."};
+                          "count from 0.",
+                          {},
+                          false,
+                          {},
+                          "integer[][]"};
     return {{"mesh",
              "A polygon mesh, from an OBJ file or from tables. Of two strings the one that ends in "
              ".obj is the file.",
              {{{kName, vertices, faces, kOptions}, meshFromTables, hasTables},
               {{kFile, kName, kOptions}, meshFromFileFirst, fileIsFirst},
-              {{kName, kFile, kOptions}, meshFromFile}}}};
+              {{kName, kFile, kOptions}, meshFromFile}},
+             "gr.node"}};
 }
 
 }  // namespace rt

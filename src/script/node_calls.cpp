@@ -102,13 +102,14 @@ std::vector<CallRow> nodeCalls() {
         return Parameter{name, Kind::kNumber, doc};
     };
     return {
-        {"node", "An empty node with the identity transform.", {{{kName}, node}}},
+        {"node", "An empty node with the identity transform.", {{{kName}, node}}, "gr.node"},
         {"joint",
          "A node that is turned by its two initial angles in degrees: first about x, then about y.",
          {{{kName,
             {"x", Kind::kTuple, "{min, init, max} of the turn about x."},
             {"y", Kind::kTuple, "{min, init, max} of the turn about y."}},
-           joint}}},
+           joint}},
+         "gr.node"},
         {"rotate",
          "Turns the node about an axis, right-handed.",
          {{{kNode,

@@ -61,7 +61,8 @@ std::vector<CallRow> optionCalls() {
     return {{"options",
              "Sets options for the renders that follow. The names are those of the command line "
              "with underscores for hyphens; the command line wins.",
-             {{{{"options", Kind::kTable, "{name = value, ...}."}}, options}}}};
+             {{{{"options", Kind::kTable, "{name = value, ...}.", {}, false, {}, "gr.Options"}},
+               options}}}};
 }
 
 }  // namespace rt

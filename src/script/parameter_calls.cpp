@@ -108,16 +108,20 @@ CallResult parameter(Call& call) {
 }  // namespace
 
 std::vector<CallRow> parameterCalls() {
-    return {{"param",
-             "A value that -D name=value sets on the command line, of the default's type.",
-             {{{{"name", Kind::kText, "Its name."},
-                {"default", Kind::kAny, "A number, a string or a boolean."},
-                {"options",
-                 Kind::kTable,
-                 "{min = number, max = number, doc = \"one sentence\"}.",
-                 {},
-                 true}},
-               parameter}}}};
+    return {
+        {"param",
+         "A value that -D name=value sets on the command line, of the default's type.",
+         {{{{"name", Kind::kText, "Its name."},
+            {"default", Kind::kAny, "A number, a string or a boolean.", {}, false, {}, kSameType},
+            {"options",
+             Kind::kTable,
+             "{min = number, max = number, doc = \"one sentence\"}.",
+             {},
+             true,
+             {},
+             "{ min?: number, max?: number, doc?: string }"}},
+           parameter}},
+         kSameType}};
 }
 
 }  // namespace rt

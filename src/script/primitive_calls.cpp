@@ -124,6 +124,7 @@ std::vector<CallRow> primitiveCalls() {
                        length("R", "Radius of the circle in the tube's middle."),
                        length("r", "Radius of the tube.")},
                       placedTorus}}});
+    for (CallRow& row : rows) row.returns = "gr.node";
     return rows;
 }
 

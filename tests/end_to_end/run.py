@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""run.py PROJECT [--only NAME]: the program from outside: exit codes, messages, files, equal bytes.
+"""run.py PROJECT [--only NAME...]: the program from outside: exit codes, messages, files, equal bytes.
 
-PROJECT is the executable. --only threads runs what the thread sanitizer should see.
+PROJECT is the executable. NAME is a class in small letters; threads is what the thread sanitizer should see.
 """
 import glob, json, os, shutil, signal, struct, subprocess, sys, time, unittest, zlib
 
 from base import BALL, EVERYTHING, EndToEnd, TOP
+from documents import Documents
 from writing_scenes import Dependencies, OnTerminal, Previewing, Watching
 
 PROJECT = ""
@@ -713,8 +714,10 @@ def main():
     global PROJECT
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
-    cases = [Threads] if sys.argv[2:] == ["--only", "threads"] else [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards,
-                                                                          Dependencies, Watching, Previewing, Golden, Comparing, Failures]
+    cases = [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards, Dependencies, Watching, Previewing,
+             Documents, Golden, Comparing, Failures]
+    if sys.argv[2:3] == ["--only"]:
+        cases = [case for case in cases if case.__name__.lower() in sys.argv[3:]]
     for case in cases:
         suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
     result = unittest.TextTestRunner(verbosity=1).run(suite)

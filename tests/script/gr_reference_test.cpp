@@ -1,6 +1,9 @@
 // The reference describes what the table holds: every call and field, each form of it, no other.
 #include "../../src/script/call_table.h"
 
+#include "gr_script.h"
+#include "rt/script/language_documents.h"
+
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -28,6 +31,57 @@ std::map<std::string, std::string> sections() {
         }
     }
     return all;
+}
+
+/// A call of each row, for what it returns.
+const std::map<std::string, std::string>& sampleCalls() {
+    static const std::map<std::string, std::string> calls = {
+        {"node", "gr.node('a')"},
+        {"joint", "gr.joint('a', {0, 1, 2}, {0, 1, 2})"},
+        {"rotate", "gr.rotate(ball, 'x', 1)"},
+        {"translate", "ball:translate(1, 2, 3)"},
+        {"scale", "ball:scale(1, 2, 3)"},
+        {"add_child", "group:add_child(ball)"},
+        {"sphere", "gr.sphere('a')"},
+        {"cube", "gr.cube('a')"},
+        {"cylinder", "gr.cylinder('a')"},
+        {"cone", "gr.cone('a')"},
+        {"torus", "gr.torus('a')"},
+        {"nh_sphere", "gr.nh_sphere('a', {0, 0, 0}, 1)"},
+        {"nh_box", "gr.nh_box('a', {0, 0, 0}, 1)"},
+        {"nh_cylinder", "gr.nh_cylinder('a', {0, 0, 0}, 1, 1)"},
+        {"nh_cone", "gr.nh_cone('a', {0, 0, 0}, 1, 1)"},
+        {"nh_torus", "gr.nh_torus('a', {0, 0, 0}, 1, 0.2)"},
+        {"mesh", "gr.mesh('a', {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})"},
+        {"material", "gr.material({1, 1, 1}, {0, 0, 0}, 1)"},
+        {"texture", "gr.texture('x.png', {0, 0, 0}, 1)"},
+        {"bumpmap", "gr.bumpmap('x.png')"},
+        {"set_material", "ball:set_material(grey)"},
+        {"set_texture", "ball:set_texture(gr.texture('x.png', {0, 0, 0}, 1))"},
+        {"set_bumpmap", "ball:set_bumpmap(gr.bumpmap('x.png'))"},
+        {"set_reflection", "ball:set_reflection(0.5)"},
+        {"set_refraction", "ball:set_refraction(1.5, 0.5)"},
+        {"set_fresnel", "ball:set_fresnel(true)"},
+        {"light", "gr.light({0, 0, 0}, {1, 1, 1}, {1, 0, 0})"},
+        {"focal", "gr.focal(5, 1, 0.1)"},
+        {"render",
+         "gr.render(group, 'a.png', 1, 1, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 40, "
+         "{1, 1, 1}, {})"},
+        {"background", "gr.background({1, 1, 1})"},
+        {"options", "gr.options{spp = 1}"},
+        {"param", "gr.param('a', 1)"},
+    };
+    return calls;
+}
+
+std::string fileText(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    REQUIRE(in);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -86,5 +140,68 @@ TEST_CASE("every call and parameter says in a sentence what it is") {
                 optionalBefore = parameter.optional;
             }
         }
+    }
+}
+
+TEST_CASE("Documentation/reference.md is what --print reference prints") {
+    CHECK(fileText("Documentation/reference.md") == languageReference());
+}
+
+TEST_CASE("the stubs hold every call and field, as function and as method") {
+    const std::string stubs = editorStubs();
+    for (const CallRow& row : callTable()) {
+        CAPTURE(row.name);
+        CHECK(holds(stubs, "\nfunction gr." + std::string(row.name) + "("));
+        CHECK(holds(stubs, "\nfunction node:" + std::string(row.name) + "(") == row.isMethod());
+        for (const CallForm& form : row.forms) {
+            for (const Parameter& parameter : form.parameters) {
+                const bool own = parameter.kind == ParameterKind::kTable ||
+                                 parameter.kind == ParameterKind::kAny;
+                CAPTURE(parameter.name);
+                CHECK((*parameter.type != '\0') == own);
+            }
+        }
+    }
+    for (const FieldRow& row : fieldTable()) {
+        CHECK(holds(stubs, "---@field " + std::string(row.name) + " " + row.type + " "));
+    }
+    for (const OptionRow& row : optionTable()) {
+        if (std::string(row.name).find('-') != std::string::npos) continue;
+        CHECK(holds(stubs, "\n---@field " + std::string(row.name) + "? "));
+    }
+}
+
+TEST_CASE("the stubs say how an argument is left out, what it may be, and how else to call") {
+    const std::string stubs = editorStubs();
+    CHECK(holds(stubs,
+                "---@param R? number Radius of the circle in the tube's middle. "
+                "(> 0; 1 without it)\n"));
+    CHECK(holds(stubs,
+                "---@overload fun(name: string, corner: gr.tuple, size: gr.tuple): "
+                "gr.node\n"));
+    CHECK(holds(stubs, "---@generic T: number|string|boolean\n---@param name string"));
+    CHECK(holds(stubs, "---@field bits? 8|16 "));
+    CHECK(holds(stubs, "---@field max_spp? integer "));
+}
+
+TEST_CASE("every call returns what its row says") {
+    test::SceneFolder folder;
+    folder.write("x.png");
+    for (const CallRow& row : callTable()) {
+        CAPTURE(row.name);
+        REQUIRE(sampleCalls().count(row.name) == 1);
+        const std::string returns = row.returns;
+        std::string wanted =
+            "tostring(got):sub(1, " + std::to_string(returns.size()) + ") == '" + returns + "'";
+        if (returns.empty()) wanted = "count == 0";
+        if (returns == kSameType) wanted = "got == 1";
+        const test::ScriptRun run =
+            test::runScene(folder,
+                           "local function counted(...) return select('#', ...), ... end\n"
+                           "local group, ball = gr.node('group'), gr.sphere('ball')\n"
+                           "local grey = gr.material({1, 1, 1}, {0, 0, 0}, 1)\n"
+                           "local count, got = counted(" +
+                               sampleCalls().at(row.name) + ")\nassert(" + wanted + ")\n");
+        CHECK(run.error == "");
     }
 }

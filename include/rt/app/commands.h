@@ -18,6 +18,9 @@ int goldenCommand(const Options& options);
 /// Shards become the picture that they are of.
 int mergeCommand(const MergeOptions& options);
 
+/// A document about the program, on standard output.
+int printCommand(const Options& options);
+
 int helpCommand();
 int versionCommand();
 

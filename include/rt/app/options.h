@@ -14,7 +14,7 @@
 
 namespace rt {
 
-enum class Command { kRender, kCompare, kGolden, kMerge, kHelp, kVersion };
+enum class Command { kRender, kCompare, kGolden, kMerge, kPrint, kHelp, kVersion };
 
 enum class ColorMode { kAuto, kAlways, kNever };
 
@@ -69,6 +69,7 @@ struct Options {
     CompareOptions compare;
     GoldenOptions golden;
     MergeOptions merge;
+    std::string document;  ///< of kPrint; one of documentNames()
 
     std::vector<std::string> scenes;           ///< "-" is stdin; never empty for kRender
     bool defaultScene = false;                 ///< none was named: scenes is {kDefaultScene}
@@ -122,7 +123,11 @@ struct OptionHelp {
     std::string flags;      ///< "-j, --threads"
     std::string valueName;  ///< "" for a flag
     std::string text;
+    std::vector<std::string> choices;  ///< all values there are, if they can be listed
 };
+
+/// The options of a command, in the order of --help.
+std::vector<OptionHelp> optionHelp(Command command);
 
 /// Every option there is, the shared ones of optionTable() included, in the order of --help.
 std::vector<OptionHelp> optionHelp();

@@ -1,4 +1,5 @@
 #include "rt/app/commands.h"
+#include "rt/app/documents.h"
 #include "rt/core/error.h"
 
 #include <cstdio>
@@ -15,6 +16,10 @@ int print(const std::string& text) {
 
 int helpCommand() {
     return print(helpText());
+}
+
+int printCommand(const Options& options) {
+    return print(documentText(options.document));
 }
 
 int versionCommand() {
