@@ -5,6 +5,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 passed=0
 failed=0
+names=
 
 # check NAME COMMAND...: runs one suite and counts it.
 check() {
@@ -17,6 +18,7 @@ check() {
         echo "$(($(date +%s) - began)) s: $name"
     else
         failed=$((failed + 1))
+        names="$names; $name"
         echo "FAILED: $name"
     fi
 }
@@ -52,5 +54,5 @@ if [ "${1:-}" != --quick ]; then
     check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
         build/threads/Project --only threads
 fi
-echo "$passed passed, $failed failed"
+echo "$passed passed, $failed failed$names"
 [ "$failed" -eq 0 ]

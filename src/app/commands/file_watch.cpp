@@ -16,10 +16,8 @@
 namespace rt {
 namespace {
 
-/// How long files must be quiet before they count as changed.
-constexpr double kQuietSeconds = 0.1;
-/// A file that never rests is read all the same.
-constexpr double kMostQuietSeconds = 2.0;
+/// A file that never rests is read all the same, after so many times the quiet moment.
+constexpr double kMostQuietMoments = 20.0;
 /// How often files are looked at where the kernel gives notices, for those that it misses, and
 /// where it gives none.
 constexpr double kRareSeconds = 1.0;
@@ -54,7 +52,7 @@ std::string folderOf(const std::string& path) {
 
 }  // namespace
 
-FileWatch::FileWatch(Notices notices) {
+FileWatch::FileWatch(Notices notices, double quietSeconds) : quietSeconds_(quietSeconds) {
     if (notices == Notices::kInotify) inotify_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
 }
 
@@ -159,9 +157,9 @@ void FileWatch::waitUntilQuiet() const {
     std::map<std::string, Looks> now = looksNow();
     do {
         before = std::move(now);
-        std::this_thread::sleep_for(std::chrono::duration<double>(kQuietSeconds));
+        std::this_thread::sleep_for(std::chrono::duration<double>(quietSeconds_));
         now = looksNow();
-    } while (before != now && secondsSince(start) < kMostQuietSeconds);
+    } while (before != now && secondsSince(start) < kMostQuietMoments * quietSeconds_);
 }
 
 /// The changed files, whose new looks count from here on.

@@ -18,7 +18,10 @@ namespace rt {
 class FileWatch {
   public:
     enum class Notices { kInotify, kNever };
-    explicit FileWatch(Notices notices = Notices::kInotify);
+    /// How long files must be quiet before they count as changed.
+    static constexpr double kQuietSeconds = 0.1;
+
+    explicit FileWatch(Notices notices = Notices::kInotify, double quietSeconds = kQuietSeconds);
     ~FileWatch();
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
@@ -64,6 +67,7 @@ class FileWatch {
     std::vector<std::string> accept();
 
     mutable std::mutex mutex_;
+    double quietSeconds_;
     int inotify_ = -1;
     bool complete_ = true;  ///< every folder has notices
     std::map<std::string, File> files_;
