@@ -10,11 +10,10 @@ trap 'rm -rf "$outputs"' EXIT
 # shellcheck disable=SC2016 # the inner shell expands its own arguments
 seq 1 "$chunk" "$count" | xargs -P "$(nproc)" -I FIRST sh -c \
     '"$0" --minimal --first=FIRST --last=$((FIRST + $1 - 1)) >"$2/FIRST" 2>&1 && rm "$2/FIRST"' \
-    "$1" "$chunk" "$outputs" || true
-if [ -n "$(ls "$outputs")" ]; then
+    "$1" "$chunk" "$outputs" || {
     cat "$outputs"/*
     echo "== what failed"
     grep -hE -A 3 'ERROR' "$outputs"/* | tail -n 60
     exit 1
-fi
+}
 echo "$count test cases passed"

@@ -3,6 +3,7 @@
 #include "option_values.h"
 #include "rt/app/documents.h"
 #include "rt/core/error.h"
+#include "rt/core/text.h"
 
 #include <limits>
 
@@ -26,9 +27,7 @@ CommandRow flag(const char* section, const char* flags, const char* text, bool O
 
 /// ": depth, normal" after a text, for --help.
 std::string listed(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? ": " : ", ") + word;
-    return text;
+    return words.empty() ? "" : ": " + joined(words);
 }
 
 void addOutputRows(Rows& rows) {

@@ -151,15 +151,13 @@ std::pair<std::string, std::string> parameterFrom(const std::string& flag,
 
 std::size_t wordFrom(const std::string& flag, const std::string& text,
                      const std::vector<std::string>& words) {
-    std::string all;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == text) return i;
-        all += (all.empty() ? "" : ", ") + words[i];
     }
     const std::string nearest = nearestName(text, words);
-    refuseValue(
-        flag, text,
-        "must be one of " + all + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+    refuseValue(flag, text,
+                "must be one of " + joined(words) +
+                    (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
 }
 
 void storeShared(const OptionRow& row, const std::string& text, RenderOptions& options) {

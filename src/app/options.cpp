@@ -2,6 +2,7 @@
 
 #include "rt/core/diagnostics.h"
 #include "rt/core/error.h"
+#include "rt/core/text.h"
 #include "rt/core/version.h"
 
 #include <CLI/App.hpp>
@@ -239,10 +240,8 @@ void appendRow(std::string& text, const OptionHelp& row) {
 }
 
 OptionHelp helpOf(const CommandRow& row) {
-    std::string flags = row.flags;
-    const std::size_t comma = flags.find(',');
-    if (comma != std::string::npos) flags.insert(comma + 1, " ");
-    return {row.section, flags, row.valueName, row.text, row.choices};
+    const std::vector<std::string> both = spellings(row);
+    return {row.section, joined(both), row.valueName, row.text, row.choices, both};
 }
 
 const std::vector<CommandRow>& rowsOf(Command command) {

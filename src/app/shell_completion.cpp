@@ -1,8 +1,8 @@
 #include "shell_completion.h"
 
 #include "rt/app/options.h"
+#include "rt/core/text.h"
 
-#include <sstream>
 #include <vector>
 
 namespace rt {
@@ -21,28 +21,11 @@ constexpr SubCommand kSubCommands[] = {
     {"golden", Command::kGolden, "holds scenes against their images"},
 };
 
-/// "-j", "--threads".
-std::vector<std::string> spellings(const OptionHelp& row) {
-    std::vector<std::string> all;
-    std::istringstream words(row.flags);
-    for (std::string word; words >> word;) {
-        if (word.back() == ',') word.pop_back();
-        all.push_back(word);
-    }
-    return all;
-}
-
-std::string joined(const std::vector<std::string>& words, const std::string& separator) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-    return text;
-}
-
 /// All spellings, with spaces between them.
 std::string allFlags(Command command) {
     std::vector<std::string> all;
     for (const OptionHelp& row : optionHelp(command)) {
-        for (const std::string& flag : spellings(row)) all.push_back(flag);
+        all.insert(all.end(), row.spellings.begin(), row.spellings.end());
     }
     return joined(all, " ");
 }
@@ -60,7 +43,7 @@ std::string bashCase(const OptionHelp& row) {
     } else if (row.valueName == "DIR") {
         body = "compopt -o filenames; COMPREPLY=($(compgen -d -- \"$cur\")); return ;;";
     }
-    return "        " + joined(spellings(row), "|") + ") " + body + "\n";
+    return "        " + joined(row.spellings, "|") + ") " + body + "\n";
 }
 
 std::string bashCases() {
@@ -96,7 +79,7 @@ std::string zshAction(const OptionHelp& row) {
 std::string zshOptions(Command command) {
     std::string text;
     for (const OptionHelp& row : optionHelp(command)) {
-        for (const std::string& flag : spellings(row)) {
+        for (const std::string& flag : row.spellings) {
             const bool isLong = flag.compare(0, 2, "--") == 0;
             std::string spec = "*" + flag;
             if (!row.valueName.empty()) spec += isLong ? "=" : "+";
@@ -114,9 +97,9 @@ std::string zshOptions(Command command) {
 
 std::string bashCompletion() {
     std::string commands;
-    std::string names;
+    std::vector<std::string> names;
     for (const SubCommand& sub : kSubCommands) {
-        names += (names.empty() ? "" : " ") + std::string(sub.name);
+        names.emplace_back(sub.name);
         commands +=
             "        " + std::string(sub.name) + ") flags='" + allFlags(sub.command) + "' ;;\n";
     }
@@ -144,7 +127,7 @@ std::string bashCompletion() {
            "    COMPREPLY=($(compgen -f -- \"$cur\"))\n"
            "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
            "        COMPREPLY+=($(compgen -W '" +
-           names +
+           joined(names, " ") +
            "' -- \"$cur\"))\n"
            "    fi\n"
            "}\n"

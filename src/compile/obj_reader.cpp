@@ -1,5 +1,7 @@
 #include "obj_reader.h"
 
+#include "rt/core/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -18,12 +20,6 @@ constexpr std::array<std::string_view, 34> kKnownStatements = {
     "step",   "curv",       "curv2",     "surf",  "parm",   "trim",     "hole",
     "scrv",   "sp",         "end",       "con",   "bevel",  "c_interp", "d_interp",
     "lod",    "shadow_obj", "trace_obj", "ctech", "stech",  "call"};
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 std::string outOfRange(const char* what, std::int64_t index, std::size_t count) {
     return std::string(what) + " " + std::to_string(index) + " of " + std::to_string(count);

@@ -1,7 +1,9 @@
 #include "rt/scene/render_options.h"
 
 #include "rt/core/ray.h"
+#include "rt/core/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -148,18 +150,22 @@ const std::vector<OptionRow>& optionTable() {
     return table;
 }
 
+std::string scriptSpelling(const OptionRow& row) {
+    std::string name = row.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 std::string checkOption(const OptionRow& row, const OptionValue& value) {
     switch (row.kind) {
         case OptionRow::Kind::kFlag:
             return std::holds_alternative<bool>(value) ? "" : "must be true or false";
         case OptionRow::Kind::kChoice: {
             const auto* word = std::get_if<std::string>(&value);
-            std::string all;
             for (const std::string& known : row.choices) {
                 if (word && *word == known) return "";
-                all += (all.empty() ? "" : ", ") + known;
             }
-            return "must be one of " + all;
+            return "must be one of " + joined(row.choices);
         }
         case OptionRow::Kind::kInteger:
         case OptionRow::Kind::kNumber:

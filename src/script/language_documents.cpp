@@ -4,8 +4,6 @@
 
 #include "rt/core/text.h"
 
-#include <algorithm>
-
 namespace rt {
 
 namespace {
@@ -75,12 +73,6 @@ std::string optionType(const OptionRow& row) {
     return all;
 }
 
-std::string scriptName(const OptionRow& row) {
-    std::string name = row.name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
 // Stubs
 
 /// "name, centre, radius", from the parameter at `first`.
@@ -140,7 +132,7 @@ std::string typeStubs() {
     }
     text += "\n---@class gr.Options\n";
     for (const OptionRow& row : optionTable()) {
-        text += "---@field " + scriptName(row) + "? " + optionType(row) + " " + row.help + "\n";
+        text += "---@field " + scriptSpelling(row) + "? " + optionType(row) + " " + row.help + "\n";
     }
     return text;
 }
@@ -175,8 +167,8 @@ std::string parameterTable(const CallRow& row, const CallForm& form) {
 std::string optionReference() {
     std::string text = "\n| option | values | meaning |\n|---|---|---|\n";
     for (const OptionRow& row : optionTable()) {
-        text +=
-            "| `" + scriptName(row) + "` | `" + cell(optionType(row)) + "` | " + row.help + " |\n";
+        text += "| `" + scriptSpelling(row) + "` | `" + cell(optionType(row)) + "` | " + row.help +
+                " |\n";
     }
     return text;
 }

@@ -1,18 +1,10 @@
 #include "call_table.h"
 
-#include <algorithm>
-
 namespace rt {
 
 namespace {
 
 using Kind = ParameterKind;
-
-std::string scriptSpelling(const OptionRow& row) {
-    std::string name = row.name;
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
 
 const OptionRow& findOption(const Call& call, const std::string& name) {
     std::vector<std::string> known;

@@ -1,6 +1,7 @@
 #include "call_table.h"
 
 #include "rt/core/numeric.h"
+#include "rt/core/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -39,9 +40,7 @@ void checkOutput(const Call& call, const std::string& file) {
     const auto& known = outputExtensions();
     const std::string extension = extensionOf(file);
     if (std::find(known.begin(), known.end(), extension) != known.end()) return;
-    std::string all;
-    for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
-    call.scene.fail("file " + quoted + " must end in one of " + all);
+    call.scene.fail("file " + quoted + " must end in one of " + joined(known));
 }
 
 double largest(const Vec3& v) {

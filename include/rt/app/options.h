@@ -123,7 +123,8 @@ struct OptionHelp {
     std::string flags;      ///< "-j, --threads"
     std::string valueName;  ///< "" for a flag
     std::string text;
-    std::vector<std::string> choices;  ///< all values there are, if they can be listed
+    std::vector<std::string> choices;    ///< all values there are, if they can be listed
+    std::vector<std::string> spellings;  ///< "-j" and "--threads"
 };
 
 /// The options of a command, in the order of --help.

@@ -1,4 +1,4 @@
-// Numbers as text, whatever the locale.
+// Numbers as text, whatever the locale, and lists of words.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rt {
 
@@ -32,6 +33,14 @@ std::optional<Number> wholeNumber(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return value;
+}
+
+/// "a, b, c".
+inline std::string joined(const std::vector<std::string>& words,
+                          const std::string& separator = ", ") {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+    return text;
 }
 
 }  // namespace rt

@@ -55,6 +55,8 @@ struct OptionRow {
 };
 
 const std::vector<OptionRow>& optionTable();
+/// Its name in a script, whose names have no hyphens: "max_spp".
+std::string scriptSpelling(const OptionRow& row);
 
 /// "" if the value fits the row, else what would be right: "must be a whole number in 1 ..
 /// 1048576".
