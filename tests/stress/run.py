@@ -57,7 +57,7 @@ def image_bytes(ways, folder, seed, report):
 def parts(arguments, seed, folder, report):
     """(name, what to do) in an order that gives each kind of work its share of a short run."""
     ray_ways = variants.ways(arguments.intersect, TOP, "intersect", ["sphere"])
-    image_ways = variants.ways(arguments.project, TOP, "Project", ["--version"])
+    image_ways = variants.ways(arguments.project, TOP, "Project", ["-", "--check", "-q"])
     studio = Studio(arguments.project, folder)
     fresh = [("rays/" + prim, lambda p=prim: rays.fresh(ray_ways, p, seed, arguments.cases, folder, report))
              for prim in rays.PRIMS] if rays.have_flint() else []
