@@ -13,7 +13,7 @@ seq 1 "$chunk" "$count" | xargs -P "$(nproc)" -I FIRST sh -c \
     "$1" "$chunk" "$outputs" || {
     cat "$outputs"/*
     echo "== what failed"
-    grep -hE -A 3 'ERROR' "$outputs"/* | tail -n 60
+    grep -hE -A 3 'ERROR|Sanitizer|runtime error' "$outputs"/* | tail -n 60
     exit 1
 }
 echo "$count test cases passed"
