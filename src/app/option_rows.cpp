@@ -49,6 +49,20 @@ void addOutputRows(Rows& rows) {
     rows.push_back({kOutput, "--shard", "i/n",
                     "render the i-th of n parts, for ./Project merge to join",
                     [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});
+    rows.push_back(
+        {kOutput, "--resume", "",
+         "go on from the image's checkpoint, if there is one; with =require, a damaged "
+         "one is an error",
+         [](Options& o, const std::string& v) {
+             constexpr Resume kMeanings[] = {Resume::kIfSound, Resume::kNo, Resume::kRequired};
+             o.resume = kMeanings[wordFrom("--resume", v, {"true", "false", "require"})];
+         }});
+    rows.push_back({kOutput, "--checkpoint", "S",
+                    "save a checkpoint every S seconds; default 60 with --resume, else 0, which is "
+                    "only where a signal ends the render",
+                    [](Options& o, const std::string& v) {
+                        o.checkpointEvery = numberFrom("--checkpoint", v, 0.0);
+                    }});
     rows.push_back({kOutput, "--aov", "NAMES", "more images beside the output" + listed(aovNames()),
                     [](Options& o, const std::string& v) { o.aovs = aovsFrom("--aov", v); },
                     aovNames()});

@@ -180,7 +180,7 @@ bool isForGolden(const CommandRow& row) {
     static const std::set<std::string> without = {
         "-o",      "--crop",        "--frames",       "--stats",   "--aov",       "--shard",
         "--deps",  "--list-params", "--check",        "--explain", "--fail-fast", "--version",
-        "--watch", "--preview",     "--preview-port", "--print"};
+        "--watch", "--preview",     "--preview-port", "--print",   "--resume",    "--checkpoint"};
     return without.count(row.flags) == 0;
 }
 
@@ -200,6 +200,24 @@ void refuseUnwatchable(const Options& options) {
     }
     if (options.output == "-") {
         throw UsageError("--watch: standard output takes one image; name a file with -o");
+    }
+}
+
+void refuseUnresumable(const Options& options) {
+    const bool resumes = options.resume != Resume::kNo;
+    if (!resumes && options.checkpointEvery.value_or(0.0) == 0.0) return;
+    const std::string flag = resumes ? "--resume" : "--checkpoint";
+    if (options.watch || options.preview) {
+        throw UsageError(flag + (options.watch ? " and --watch" : " and --preview") +
+                         ": a render that is looked at keeps no checkpoint; say one of them");
+    }
+    if (options.output == "-") {
+        throw UsageError(flag +
+                         ": standard output has no name for a checkpoint; name a file with "
+                         "-o");
+    }
+    if (options.render.time) {
+        throw UsageError(flag + " needs --spp or --error: --time gives other pixels in every run");
     }
 }
 
@@ -274,6 +292,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     refuseContradictions(options.render);
     options.scenes = words.others;
     refuseUnwatchable(options);
+    refuseUnresumable(options);
     options.defaultScene = options.scenes.empty();
     if (options.defaultScene) options.scenes = {kDefaultScene};
     if (end != arguments.end()) options.scriptArguments.assign(end + 1, arguments.end());

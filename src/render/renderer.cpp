@@ -1,218 +1,19 @@
 #include "rt/render/renderer.h"
 
 #include "rt/core/cpu_time.h"
-#include "rt/core/parallel.h"
 #include "rt/render/adaptive.h"
 #include "rt/render/coarse_lattice.h"
 #include "rt/render/fine_pixels.h"
 #include "rt/render/lattice.h"
+#include "run.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 namespace rt {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Paths may be cut at this share of the error target: what is cut adds up over a path's branches.
-constexpr double kCutShare = 1.0 / 16;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-TraceSettings settingsFor(const RenderJob& job) {
-    TraceSettings settings = job.settings;
-    settings.cancel = job.cancel;
-    if (job.errorTarget > 0.0) {
-        settings.cutoff = std::min(settings.cutoff, kCutShare * job.errorTarget);
-    }
-    return settings;
-}
-
-/// Calls trace(ends, values) with a tile's part of the values, row-major, and puts back what it
-/// made of them; not at all where no value lacks samples. `grid` knows the places of rows; `guard`,
-/// if not null, is held while values change.
-template <class Grid, class Values, class Trace>
-void onTile(const Tile& tile, const Grid& grid, Values& values,
-            const std::vector<std::uint32_t>& ends, std::mutex* guard, const Trace& trace) {
-    const auto width = static_cast<std::size_t>(tile.width());
-    const auto anyLacks = [&](int y) {
-        const std::size_t row = grid.offset(tile.x0, y);
-        for (std::size_t i = row; i < row + width; ++i) {
-            if (ends[i] != 0 && ends[i] > values[i].samples) return true;
-        }
-        return false;
-    };
-    int first = tile.y0;
-    while (first < tile.y1 && !anyLacks(first)) ++first;
-    if (first == tile.y1) return;
-    std::vector<typename Values::value_type> tileValues;
-    std::vector<std::uint32_t> tileEnds;
-    tileValues.reserve(width * static_cast<std::size_t>(tile.height()));
-    tileEnds.reserve(tileValues.capacity());
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const auto row = static_cast<std::ptrdiff_t>(grid.offset(tile.x0, y));
-        const auto end = row + tile.width();
-        tileValues.insert(tileValues.end(), values.begin() + row, values.begin() + end);
-        tileEnds.insert(tileEnds.end(), ends.begin() + row, ends.begin() + end);
-    }
-    trace(tileEnds.data(), tileValues.data());
-    const std::unique_lock<std::mutex> lock =
-        guard ? std::unique_lock(*guard) : std::unique_lock<std::mutex>();
-    const auto* done = tileValues.data();
-    for (int y = tile.y0; y < tile.y1; ++y, done += tile.width()) {
-        std::copy(done, done + tile.width(), &values[grid.offset(tile.x0, y)]);
-    }
-}
-
-/// The state that the threads of one render share.
-class Run {
-  public:
-    Run(const RenderScene& scene, const RenderJob& job, Film& film)
-        : scene_(scene),
-          job_(job),
-          settings_(settingsFor(job)),
-          film_(film),
-          tiles_(tilesOf(job.area)),
-          counts_(tiles_.size()) {}
-
-    /// Brings every pixel to its number of samples in `ends`, ordered as the film is. `from` and
-    /// `to` are the shares of the whole work before and after.
-    void pass(const std::vector<std::uint32_t>& ends, double from, double to) {
-        tilesDone_ = 0;
-        forEachIndex(tiles_.size(), job_.threads, [&](std::size_t index, int) {
-            if (stopped() || !rendersTile(index)) return;
-            renderTile(index, ends);
-            report(from, to);
-            if (job_.onSnapshot) offerSnapshot();
-        });
-    }
-
-    /// Brings the corners to their numbers of samples in `ends`, ordered as the lattice is.
-    void probe(const std::vector<std::uint32_t>& ends, Lattice& lattice, double from, double to) {
-        tilesDone_ = 0;
-        const std::vector<Tile> tiles = tilesOf(lattice.corners);
-        probeCounts_.resize(std::max(probeCounts_.size(), tiles.size()));
-        forEachIndex(tiles.size(), job_.threads, [&](std::size_t index, int) {
-            if (stopped()) return;
-            probeTile(tiles[index], ends, lattice, probeCounts_[index]);
-            if (to > from) report(from, to);
-        });
-    }
-
-    /// What is seen through the centres of pixels, given by their places in the film.
-    std::vector<Probe> look(const std::vector<std::size_t>& pixels, std::uint32_t samples) {
-        constexpr std::size_t kTogether = 256;
-        std::vector<Probe> probes(pixels.size());
-        const std::size_t groups = (pixels.size() + kTogether - 1) / kTogether;
-        probeCounts_.resize(std::max(probeCounts_.size(), groups));
-        forEachIndex(groups, job_.threads, [&](std::size_t group, int) {
-            if (stopped()) return;
-            std::vector<PixelPlace> places;
-            const std::size_t first = group * kTogether;
-            for (std::size_t i = first; i < std::min(first + kTogether, pixels.size()); ++i) {
-                places.push_back(film_.area.placeOf(pixels[i]));
-            }
-            job_.kernel->probePixels(scene_, settings_, places, samples, &probes[first],
-                                     probeCounts_[group]);
-        });
-        return probes;
-    }
-
-    /// How a snapshot is taken during passes; `view` is not called in between.
-    void showAs(std::function<RenderSnapshot()> view) { view_ = std::move(view); }
-
-    bool cancelled() const { return job_.cancel && job_.cancel->load(std::memory_order_relaxed); }
-    bool outOfTime() const {
-        return job_.timeLimit > 0.0 && secondsSince(start_) >= job_.timeLimit;
-    }
-    bool stopped() const { return cancelled() || outOfTime(); }
-    double seconds() const { return secondsSince(start_); }
-
-    /// Summed in the order of the tiles, so that the rounding is always the same.
-    TraceCounts counts() const {
-        TraceCounts total;
-        for (const TraceCounts& counts : probeCounts_) total.add(counts);
-        for (const TraceCounts& counts : counts_) total.add(counts);
-        return total;
-    }
-
-    /// The mean bound of what was cut, a sample.
-    double cutError() const {
-        const TraceCounts total = counts();
-        return total.cutBound / std::max(1.0, static_cast<double>(total.rays.camera));
-    }
-
-    const std::vector<TraceCounts>& tileCounts() const { return counts_; }
-
-  private:
-    bool rendersTile(std::size_t index) const {
-        return job_.errorTarget > 0.0 || job_.shard.owns(index);
-    }
-
-    /// Of how many tiles one is rendered.
-    double shareOfTiles() const { return job_.errorTarget > 0.0 ? 1.0 : job_.shard.count; }
-
-    void probeTile(const Tile& tile, const std::vector<std::uint32_t>& ends, Lattice& lattice,
-                   TraceCounts& counts) {
-        const auto trace = [&](const std::uint32_t* tileEnds, Probe* probes) {
-            job_.kernel->probeTile(scene_, settings_, tile, lattice.spacing, tileEnds, probes,
-                                   counts);
-        };
-        onTile(tile, lattice, lattice.probes, ends, nullptr, trace);
-    }
-
-    void renderTile(std::size_t index, const std::vector<std::uint32_t>& ends) {
-        const Tile& tile = tiles_[index];
-        const auto trace = [&](const std::uint32_t* tileEnds, PixelState* pixels) {
-            job_.kernel->renderTile(scene_, settings_, tile, tileEnds, pixels, counts_[index]);
-        };
-        onTile(tile, film_, film_.pixels, ends, job_.onSnapshot ? &filmMutex_ : nullptr, trace);
-    }
-
-    /// Nobody waits while another thread takes one.
-    void offerSnapshot() {
-        if (!job_.wantsSnapshot->load(std::memory_order_relaxed)) return;
-        const std::unique_lock taking(snapshotMutex_, std::try_to_lock);
-        if (!taking) return;
-        RenderSnapshot snapshot = [this] {
-            const std::lock_guard lock(filmMutex_);
-            return view_();
-        }();
-        job_.onSnapshot(std::move(snapshot));
-    }
-
-    void report(double from, double to) {
-        if (!job_.onProgress) return;
-        const std::lock_guard lock(progressMutex_);
-        ++tilesDone_;
-        const double tiles = static_cast<double>(tiles_.size()) / shareOfTiles();
-        const double done = std::min(static_cast<double>(tilesDone_) / tiles, 1.0);
-        double share = from + (to - from) * done;
-        if (job_.timeLimit > 0.0) share = std::max(share, seconds() / job_.timeLimit);
-        job_.onProgress(std::min(share, 1.0));
-    }
-
-    const RenderScene& scene_;
-    const RenderJob& job_;
-    TraceSettings settings_;
-    Film& film_;
-    std::vector<Tile> tiles_;
-    std::vector<TraceCounts> counts_;
-    std::vector<TraceCounts> probeCounts_;
-    Clock::time_point start_ = Clock::now();
-    std::mutex progressMutex_;
-    std::mutex filmMutex_;
-    std::mutex snapshotMutex_;
-    std::function<RenderSnapshot()> view_;
-    std::size_t tilesDone_ = 0;
-};
 
 std::vector<std::uint32_t> uniform(const Film& film, std::uint64_t samples) {
     return std::vector<std::uint32_t>(film.pixels.size(), static_cast<std::uint32_t>(samples));
@@ -228,10 +29,13 @@ bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
     if (job.timeLimit > 0.0 || job.onSnapshot) {
         while ((spp >> halvings) > 1) ++halvings;
     }
+    const bool single = halvings == 0;
     int done = 0;
     for (; halvings >= 0 && !run.stopped(); --halvings) {
         const int end = spp >> halvings;
-        run.pass(uniform(film, static_cast<std::uint64_t>(end)), 1.0 * done / spp, 1.0 * end / spp);
+        const auto kept = single ? Run::Kept::kInFilm : Run::Kept::kInLog;
+        run.pass(uniform(film, static_cast<std::uint64_t>(end)), 1.0 * done / spp, 1.0 * end / spp,
+                 kept);
         done = end;
     }
     return !run.stopped();
@@ -398,6 +202,7 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     outcome.tileCounts = run.tileCounts();
     outcome.cancelled = run.cancelled();
     outcome.outOfTime = run.outOfTime();
+    if (outcome.cancelled && job.onCheckpoint) job.onCheckpoint();
     if (outcome.cancelled) outcome.errorEstimate.reset();
     if (job.onSnapshot) {
         last.errorEstimate = outcome.errorEstimate;

@@ -20,8 +20,5 @@ ABSENT = {
     "H13": "--time within a pixel, and a heat map",
     "I17": "file systems without renames: one file that cannot be renamed over is overwritten in place",
     "J6": "a snapshot on SIGUSR1",
-    "K1": "checkpoints",
-    "K2": "checkpoints",
-    "K3": "checkpoints",
     "K12": "sending images to tev: --preview shows what it would",
 }

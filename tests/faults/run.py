@@ -6,11 +6,11 @@ with its reason; the last line counts them. IDs pick cases; -v shows what the pr
 """
 import concurrent.futures, os, re, sys, time
 
-import arguments, command_line, graph, harness, images, loading, meshes, numerics, output, sandbox, shards, signals
+import arguments, command_line, graph, harness, images, loading, meshes, numerics, output, resume, sandbox, shards, signals
 from elsewhere import ABSENT, ELSEWHERE
 
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SECTIONS = [command_line, loading, sandbox, arguments, graph, meshes, images, numerics, output, signals, shards]
+SECTIONS = [command_line, loading, sandbox, arguments, graph, meshes, images, numerics, output, signals, shards, resume]
 ROWS = {"A": 16, "B": 12, "C": 28, "D": 27, "E": 10, "F": 19, "G": 14, "H": 13, "I": 18, "J": 15, "K": 12}
 ALL = ["%s%d" % (letter, i + 1) for letter, count in ROWS.items() for i in range(count)]
 

@@ -54,6 +54,7 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
     job.area = {0, 0, scene.width, scene.height};
     job.threads = settings.threads;
     job.kernel = &chooseKernel(settings.kernel);
+    if (settings.adjust) settings.adjust(job);
     const RenderOutcome outcome = render(scene, job);
 
     Picture picture{scene.width,    scene.height,          {},

@@ -7,6 +7,7 @@
 #include "rt/script/scene_script.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,8 @@ struct PictureSettings {
     std::string kernel;      ///< "": the fastest
     std::size_t render = 0;  ///< which gr.render of the script
     std::string folder;      ///< where the script is put; "": a temporary one
+    /// Changes the job before it is rendered; need not be there.
+    std::function<void(RenderJob& job)> adjust;
 };
 
 /// Runs, compiles and renders `script`. Throws what the program would report.

@@ -38,6 +38,9 @@ struct FrameRange {
     std::int64_t last = 1;
 };
 
+/// Whether a render goes on from its checkpoint; kRequired: or fails where that is damaged.
+enum class Resume { kNo, kIfSound, kRequired };
+
 /// `compare A B`.
 struct CompareOptions {
     std::string first;
@@ -84,6 +87,8 @@ struct Options {
     std::vector<Aov> aovs;             ///< in the order of the table, each once
     std::optional<std::string> stats;  ///< file
     std::optional<std::string> deps;   ///< file
+    Resume resume = Resume::kNo;
+    std::optional<double> checkpointEvery;  ///< seconds; 0: only where a signal ends the render
 
     int threads = 0;                 ///< 0: as many as this process may use
     std::optional<std::string> isa;  ///< baseline, avx2, avx512; none: the best that runs here

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rt/render/film.h"
+#include "rt/render/render_log.h"
 #include "rt/render/snapshot.h"
 #include "rt/trace/trace_kernel.h"
 
@@ -34,6 +35,13 @@ struct RenderJob {
     /// thread or a worker, one at a time. The film does not depend on it, to the bit.
     std::function<void(RenderSnapshot snapshot)> onSnapshot;
     const std::atomic<bool>* wantsSnapshot = nullptr;
+    /// Where not null: what it holds of an equal job is not traced again, and what is traced goes
+    /// in. The film is then the same, to the bit.
+    RenderLog* log = nullptr;
+    /// Told that now is a time to save the log, every `checkpointEvery` seconds (0: never) and
+    /// where the render was cancelled; from the calling thread or a worker, one at a time.
+    std::function<void()> onCheckpoint;
+    double checkpointEvery = 0.0;
 };
 
 /// Where a render stood after a pass.

@@ -2,12 +2,11 @@
 
 #include "output_names.h"
 #include "rt/core/error.h"
+#include "rt/core/packed_bytes.h"
 #include "scene_hash.h"
 
 #include <algorithm>
-#include <bit>
 #include <string_view>
-#include <type_traits>
 
 namespace rt {
 namespace {
@@ -16,78 +15,11 @@ constexpr std::string_view kMagic = "RTPART1\n";
 constexpr std::string_view kAnyMagic = "RTPART";
 constexpr std::size_t kChecksumBytes = 8;
 
-/// Puts numbers and texts one after the other.
-class Writer {
-  public:
-    template <class Unsigned>
-    void number(Unsigned value) {
-        static_assert(std::is_unsigned_v<Unsigned>);
-        for (std::size_t i = 0; i < sizeof(value); ++i) {
-            bytes_.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-        }
-    }
-    void word(int value) { number(static_cast<std::uint32_t>(value)); }
-    void real(double value) { number(std::bit_cast<std::uint64_t>(value)); }
-    void real(float value) { number(std::bit_cast<std::uint32_t>(value)); }
-    void text(const std::string& value) {
-        number(static_cast<std::uint32_t>(value.size()));
-        bytes_.insert(bytes_.end(), value.begin(), value.end());
-    }
-    void color(const Color& value) {
-        for (int c = 0; c < 3; ++c) real(value[c]);
-    }
-    std::vector<std::uint8_t>& bytes() { return bytes_; }
-
-  private:
-    std::vector<std::uint8_t> bytes_;
-};
-
-struct Damaged {};
-
-/// Takes them again; throws Damaged where there is less.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
-
-    template <class Unsigned>
-    Unsigned number() {
-        Unsigned value = 0;
-        const auto from = take(sizeof(value));
-        for (std::size_t i = 0; i < sizeof(value); ++i) {
-            value |= static_cast<Unsigned>(static_cast<Unsigned>(from[i]) << (8 * i));
-        }
-        return value;
-    }
-    int word() { return static_cast<int>(number<std::uint32_t>()); }
-    double real() { return std::bit_cast<double>(number<std::uint64_t>()); }
-    float single() { return std::bit_cast<float>(number<std::uint32_t>()); }
-    std::string text() {
-        const auto from = take(number<std::uint32_t>());
-        return {from.begin(), from.end()};
-    }
-    Color color() {
-        Color value;
-        for (int c = 0; c < 3; ++c) value[c] = real();
-        return value;
-    }
-    std::size_t left() const { return left_.size(); }
-
-  private:
-    std::span<const std::uint8_t> take(std::size_t count) {
-        if (count > left_.size()) throw Damaged{};
-        const auto taken = left_.first(count);
-        left_ = left_.subspan(count);
-        return taken;
-    }
-
-    std::span<const std::uint8_t> left_;
-};
-
 std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
     return Fingerprint().add(bytes).value();
 }
 
-void writeHead(Writer& to, const PicturePart& part) {
+void writeHead(PackedWriter& to, const PicturePart& part) {
     to.number(part.sceneHash);
     to.number(part.seed);
     for (const int value :
@@ -108,16 +40,16 @@ void writeHead(Writer& to, const PicturePart& part) {
     }
 }
 
-ImagePlane readPlane(Reader& from) {
+ImagePlane readPlane(PackedReader& from) {
     ImagePlane plane;
     plane.name = from.text();
     const int channels = from.word();
-    if (channels < 1 || channels > 3) throw Damaged{};
+    if (channels < 1 || channels > 3) throw DamagedBytes{};
     for (int i = 0; i < channels; ++i) plane.channels.push_back(from.text());
     return plane;
 }
 
-void readHead(Reader& from, PicturePart& part) {
+void readHead(PackedReader& from, PicturePart& part) {
     part.sceneHash = from.number<std::uint64_t>();
     part.seed = from.number<std::uint64_t>();
     int transfer = 0;
@@ -152,7 +84,7 @@ std::size_t bytesOf(const Tile& tile, std::size_t channels) {
     return 16 + pixels * (56 + 4 * channels);
 }
 
-PartTile readTile(Reader& from, const Tile& place, const std::vector<ImagePlane>& planes) {
+PartTile readTile(PackedReader& from, const Tile& place, const std::vector<ImagePlane>& planes) {
     PartTile tile;
     tile.tile = place;
     tile.cutBound = from.real();
@@ -172,12 +104,12 @@ PartTile readTile(Reader& from, const Tile& place, const std::vector<ImagePlane>
 }
 
 /// Before anything large is allocated: whether the tiles take what is left.
-void readTiles(Reader& from, PicturePart& part) {
-    if (!isSensible(part)) throw Damaged{};
+void readTiles(PackedReader& from, PicturePart& part) {
+    if (!isSensible(part)) throw DamagedBytes{};
     const auto across = [](int length) { return (length - 1) / kTileSize + 1; };
     const double most =
         (static_cast<double>(from.left() / bytesOf({0, 0, 1, 1}, 0)) + 1.0) * part.shard.count;
-    if (1.0 * across(part.area.width()) * across(part.area.height()) > most) throw Damaged{};
+    if (1.0 * across(part.area.width()) * across(part.area.height()) > most) throw DamagedBytes{};
     std::size_t channels = 0;
     for (const ImagePlane& plane : part.planes) channels += plane.channels.size();
     const std::vector<Tile> tiles = tilesOf(part.area);
@@ -185,7 +117,7 @@ void readTiles(Reader& from, PicturePart& part) {
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         if (part.shard.owns(i)) expected += bytesOf(tiles[i], channels);
     }
-    if (expected != from.left()) throw Damaged{};
+    if (expected != from.left()) throw DamagedBytes{};
     for (std::size_t i = 0; i < tiles.size(); ++i) {
         if (part.shard.owns(i)) part.tiles.push_back(readTile(from, tiles[i], part.planes));
     }
@@ -194,7 +126,7 @@ void readTiles(Reader& from, PicturePart& part) {
 }  // namespace
 
 std::vector<std::uint8_t> encodePart(const PicturePart& part) {
-    Writer to;
+    PackedWriter to;
     to.bytes().assign(kMagic.begin(), kMagic.end());
     writeHead(to, part);
     for (const PartTile& tile : part.tiles) {
@@ -224,16 +156,16 @@ PicturePart decodePart(const std::vector<std::uint8_t>& bytes, const std::string
     }
     PicturePart part;
     try {
-        if (bytes.size() < kMagic.size() + kChecksumBytes) throw Damaged{};
+        if (bytes.size() < kMagic.size() + kChecksumBytes) throw DamagedBytes{};
         const auto all = std::span(bytes);
         const auto body = all.first(bytes.size() - kChecksumBytes);
-        if (Reader(all.last(kChecksumBytes)).number<std::uint64_t>() != checksum(body)) {
-            throw Damaged{};
+        if (PackedReader(all.last(kChecksumBytes)).number<std::uint64_t>() != checksum(body)) {
+            throw DamagedBytes{};
         }
-        Reader from(body.subspan(kMagic.size()));
+        PackedReader from(body.subspan(kMagic.size()));
         readHead(from, part);
         readTiles(from, part);
-    } catch (const Damaged&) {
+    } catch (const DamagedBytes&) {
         throw SceneError("the part is damaged; render its shard again", {path, 0});
     }
     return part;

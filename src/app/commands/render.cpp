@@ -1,5 +1,6 @@
 // script -> description -> compiled scene -> tiles -> film -> file.
 #include "../preview/preview_server.h"
+#include "checkpoint_keeper.h"
 #include "dependency_file.h"
 #include "interrupts.h"
 #include "output_names.h"
@@ -15,9 +16,11 @@
 #include "watcher.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <new>
 #include <optional>
@@ -173,6 +176,7 @@ class Batch {
 
     ScriptResult ranScript(const std::string& path, std::int64_t frame, Diagnostics& diagnostics) {
         ScriptFiles files;
+        scriptBegan_ = std::chrono::system_clock::now();
         const auto tell = [&] {
             for (RunFollower* follower : followers_) follower->ranScript(path, files);
         };
@@ -198,8 +202,15 @@ class Batch {
         if (options_.explain) progress_.message(explanation(prepared.scene));
         if (options_.check) return;
         if (isStale()) throw Left{};
-        const std::uint64_t hash =
-            options_.shard ? sceneHash(options_, prepared.options, script, index, frame) : 0;
+        const auto traits = [&] {
+            return traitsOf(options_, prepared.options, script, index, frame);
+        };
+        const std::uint64_t hash = options_.shard ? sceneHash(traits()) : 0;
+        keepCheckpoint(script, filesOf(output)[0], prepared, [&, traits] {
+            std::vector<Trait> all = traits();
+            for (Trait& trait : partTraitsOf(options_)) all.push_back(std::move(trait));
+            return all;
+        });
 
         for (RunFollower* follower : followers_) follower->startsImage(output, prepared);
         std::optional<Interrupts::Deferred> deferred(std::in_place);
@@ -217,10 +228,31 @@ class Batch {
         }
         for (RunFollower* follower : followers_) follower->savedImage(picture);
         const bool left = picture.cancelled;
+        if (checkpoint_ && !picture.cancelled) noteIfAny(checkpoint_->finish());
         stats_.push_back(std::move(picture.stats));
         ++images_;
         if (Interrupts::exitCode() != 0) throw Interrupted{};
         if (left) throw Left{};
+    }
+
+    /// Where the picture is a file, the same in every run, and nobody looks on.
+    void keepCheckpoint(const ScriptResult& script, const std::string& file,
+                        const PreparedScene& prepared,
+                        std::function<std::vector<Trait>()> traits) {
+        checkpoint_.reset();
+        const bool isAsked = options_.resume != Resume::kNo;
+        if (isAsked && prepared.options.time) {
+            throw UsageError(
+                "--resume needs --spp or --error: with --time every run gives other pixels");
+        }
+        if (isAsked && isStream(file)) {
+            throw UsageError("--resume: " + file + " is no file beside which a checkpoint can be");
+        }
+        const bool isLookedAt = options_.watch || options_.preview;
+        const bool isNamed = !isStream(file) && script.scene.name != "-";
+        if (!isAsked && (!isNamed || prepared.options.time || isLookedAt)) return;
+        checkpoint_.emplace(options_, file, script.filesRead, scriptBegan_, std::move(traits));
+        noteIfAny(checkpoint_->open());
     }
 
     bool isStale() const {
@@ -235,6 +267,7 @@ class Batch {
         listener.onProgress = [this](double share) { progress_.update(share); };
         listener.onEstimate = [this](double error) { progress_.estimate(error); };
         for (RunFollower* follower : followers_) follower->listen(listener);
+        if (checkpoint_) checkpoint_->listen(listener);
         return renderer_.render(desc, index, prepared, listener, diagnostics);
     }
 
@@ -245,10 +278,17 @@ class Batch {
         renderer_.forget(std::filesystem::weakly_canonical(output, failed).string());
         if (picture.cancelled) {
             progress_.abandon();
-            progress_.message("Interrupted; what was rendered so far is in " + output);
+            interrupted("what was rendered so far is in " + output);
         } else {
             progress_.finish({output, picture.stats.renderSeconds, picture.stats.errorEstimate});
         }
+    }
+
+    void interrupted(const std::string& what) {
+        const bool isSaved = checkpoint_ && checkpoint_->isSaved();
+        const std::string next = isSaved ? "; --resume goes on from " + checkpoint_->file() : "";
+        progress_.message("Interrupted; " + what + next);
+        if (checkpoint_ && !isSaved) noteIfAny("no checkpoint: " + checkpoint_->problem());
     }
 
     /// One line for each scene: a failure may have scrolled away.
@@ -263,7 +303,7 @@ class Batch {
     void savePart(const Picture& picture, const std::string& name) {
         if (picture.cancelled) {
             progress_.abandon();
-            progress_.message("Interrupted; a shard that is not whole is not written");
+            interrupted("a shard that is not whole is not written");
             return;
         }
         noteIfAny(writeFile(name, encodePart(*picture.part)));
@@ -294,6 +334,8 @@ class Batch {
 
     const Options& options_;
     SceneRenderer renderer_;
+    CheckpointKeeper::Time scriptBegan_;
+    std::optional<CheckpointKeeper> checkpoint_;  ///< of the render at hand
     std::optional<OutputNames> names_;
     Progress progress_;
     std::vector<RunFollower*> followers_;

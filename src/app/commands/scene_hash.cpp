@@ -6,7 +6,7 @@
 #include "rt/core/version.h"
 
 #include <algorithm>
-#include <vector>
+#include <optional>
 
 namespace rt {
 namespace {
@@ -48,31 +48,50 @@ Fingerprint& Fingerprint::add(std::string_view text) {
     return add(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-std::uint64_t sceneHash(const Options& options, const RenderOptions& merged,
-                        const ScriptResult& script, std::size_t render, std::int64_t frame) {
+std::vector<Trait> traitsOf(const Options& options, const RenderOptions& merged,
+                            const ScriptResult& script, std::size_t render, std::int64_t frame) {
     if (script.scene.name == "-") {
         throw SceneError(
             "a scene from standard input cannot be told from others later; put it "
             "into a file");
     }
-    Fingerprint all;
-    all.add(kProgramVersion);
-    for (const std::uint64_t hash : hashesOf(script.filesRead)) all.add(hash);
-    for (const std::string& argument : options.scriptArguments) all.add(argument);
-    for (const auto& [name, value] : options.parameters) all.add(name).add(value);
+    Fingerprint files;
+    for (const std::uint64_t hash : hashesOf(script.filesRead)) files.add(hash);
+    Fingerprint arguments;
+    for (const std::string& argument : options.scriptArguments) arguments.add(argument);
     const FrameRange frames = options.frames.value_or(FrameRange{});
-    for (const std::int64_t number : {frame, frames.first, frames.last}) {
-        all.add(static_cast<std::uint64_t>(number));
-    }
     const ImageSize size = options.size.value_or(ImageSize{});
-    for (const int number : {size.width, size.height, options.legacyTransforms ? 1 : 0}) {
-        all.add(static_cast<std::uint64_t>(number));
-    }
+    std::vector<Trait> traits{
+        {"the program's version", kProgramVersion},
+        {"the scene's files", std::to_string(files.value())},
+        {"the script's arguments", std::to_string(arguments.value())},
+        {"the frame", std::to_string(frame)},
+        {"--frames", std::to_string(frames.first) + "-" + std::to_string(frames.last)},
+        {"--size", std::to_string(size.width) + "x" + std::to_string(size.height)},
+        {"--legacy-transforms", options.legacyTransforms ? "true" : "false"},
+        {"the number of the render", std::to_string(render)}};
+    for (const auto& [name, value] : options.parameters) traits.push_back({"-D " + name, value});
     for (const OptionRow& row : optionTable()) {
         const std::optional<OptionValue> value = row.load(merged);
-        all.add(row.name).add(value ? textOf(*value) : "");
+        traits.push_back({"--" + std::string(row.name), value ? textOf(*value) : ""});
     }
-    all.add(render);
+    return traits;
+}
+
+std::vector<Trait> partTraitsOf(const Options& options) {
+    const Crop crop = options.crop.value_or(Crop{});
+    std::string corners;
+    for (const int number : {crop.x0, crop.y0, crop.x1, crop.y1}) {
+        corners += (corners.empty() ? "" : ",") + std::to_string(number);
+    }
+    const Shard shard = options.shard.value_or(Shard{});
+    return {{"--crop", options.crop ? corners : ""},
+            {"--shard", std::to_string(shard.index) + "/" + std::to_string(shard.count)}};
+}
+
+std::uint64_t sceneHash(const std::vector<Trait>& traits) {
+    Fingerprint all;
+    for (const Trait& trait : traits) all.add(trait.name).add(trait.value);
     return all.value();
 }
 

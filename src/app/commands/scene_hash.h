@@ -1,4 +1,4 @@
-// A number for everything that decides the bytes of a picture.
+// Everything that decides the bytes of a picture, and a number for it.
 #pragma once
 
 #include "rt/app/options.h"
@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace rt {
 
@@ -26,14 +28,26 @@ class Fingerprint {
     std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-/// Of the program's version; the contents of all files that the run reads, in any order and under
+/// One thing that decides the bytes of a picture, by its name for people.
+struct Trait {
+    std::string name;
+    std::string value;
+};
+
+/// The program's version; the contents of all files that the run reads, in any order and under
 /// any names; the script's arguments and parameters; the frame and the range it is of; the size;
 /// every option of quality; and the number of the render. Where the picture goes, how it is cut up,
-/// threads, instruction sets and limits change no pixel, and are not in it.
+/// threads, instruction sets and limits change no pixel, and are not among them.
 ///
 /// `merged` are the options of the command line over the script's. Throws SceneError for a scene
 /// from standard input, whose text is gone, and where a file has gone.
-std::uint64_t sceneHash(const Options& options, const RenderOptions& merged,
-                        const ScriptResult& script, std::size_t render, std::int64_t frame);
+std::vector<Trait> traitsOf(const Options& options, const RenderOptions& merged,
+                            const ScriptResult& script, std::size_t render, std::int64_t frame);
+
+/// How the picture is cut up: --crop and --shard.
+std::vector<Trait> partTraitsOf(const Options& options);
+
+/// Of traits of the same run.
+std::uint64_t sceneHash(const std::vector<Trait>& traits);
 
 }  // namespace rt

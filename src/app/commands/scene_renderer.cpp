@@ -296,6 +296,9 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.onEstimate = listener.onEstimate;
     job.onSnapshot = listener.onSnapshot;
     job.wantsSnapshot = listener.wantsSnapshot;
+    job.log = listener.log;
+    job.onCheckpoint = listener.onCheckpoint;
+    job.checkpointEvery = listener.checkpointEvery;
     return rt::render(scene, job);
 }
 

@@ -43,6 +43,9 @@ struct RenderListener {
     std::function<void(double error)> onEstimate;
     std::function<void(RenderSnapshot snapshot)> onSnapshot;
     const std::atomic<bool>* wantsSnapshot = nullptr;
+    RenderLog* log = nullptr;
+    std::function<void()> onCheckpoint;
+    double checkpointEvery = 0.0;
 };
 
 /// What a file says about the picture.
