@@ -87,12 +87,12 @@ class Compiler {
         instance.objectScale = instance.transform.similarityToObject();
         instance.shape = shapeOf(node.geometry);
         if (instance.shape == kNone) return;
-        instance.look = lookOf(placed);
-        instance.order = placed.node;
         if (const auto* mesh =
                 std::get_if<std::shared_ptr<const MeshShape>>(&out_.shapes[instance.shape])) {
             instance.closed = (*mesh)->mesh.closed;
         }
+        instance.look = lookOf(placed, instance.closed);
+        instance.order = placed.node;
         out_.instances.push_back(instance);
     }
 
@@ -159,7 +159,7 @@ class Compiler {
             shape);
     }
 
-    Index lookOf(const PlacedNode& placed) {
+    Index lookOf(const PlacedNode& placed, bool closed) {
         const AppearanceDesc& a = placed.appearance;
         const NodeDesc& node = scene_.nodes[placed.node];
         if (a.material == kNone && a.texture == kNone) {
@@ -171,8 +171,25 @@ class Compiler {
         const auto [entry, added] =
             looks_.try_emplace(std::tuple(placed.node, a.material, a.texture, a.bump),
                                static_cast<Index>(out_.looks.size()));
-        if (added) out_.looks.push_back(makeLook(a, node.at(renderIndex_)));
+        if (added) {
+            out_.looks.push_back(makeLook(a, node.at(renderIndex_)));
+            addAbsorption(node, closed, out_.looks.back());
+        }
         return entry->second;
+    }
+
+    void addAbsorption(const NodeDesc& node, bool closed, Look& look) {
+        const Color& absorption = node.at(renderIndex_).absorption;
+        if (absorption == Color(0.0)) return;
+        if (!look.refracts || !closed) {
+            diagnostics_.warn("unused-absorption", node.where,
+                              "node '" + printable(node.name, 80) + "' absorbs nothing: " +
+                                  (closed ? "no light shines through it without set_refraction"
+                                          : "it is an open mesh, which has no inside"));
+            return;
+        }
+        look.absorption = absorption;
+        out_.features |= kFeatureAbsorption;
     }
 
     Look makeLook(const AppearanceDesc& appearance, const NodeState& state) {

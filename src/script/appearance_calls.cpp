@@ -77,6 +77,12 @@ CallResult setFresnel(Call& call) {
     return {};
 }
 
+CallResult setAbsorption(Call& call) {
+    if (!hasSurface(call, "the absorption")) return {};
+    call.scene.edit(call.object(0)).absorption = call.tuple(1);
+    return {};
+}
+
 std::vector<CallRow> makers() {
     return {
         {"material",
@@ -119,6 +125,11 @@ std::vector<CallRow> appearanceCalls() {
     rows.push_back({"set_fresnel",
                     "Splits what is refracted into F reflected + (1-F) refracted.",
                     {{{kNode, {"on", Kind::kBoolean, "Whether to split."}}, setFresnel}}});
+    rows.push_back(
+        {"set_absorption",
+         "Colours what shines through: exp(-absorption distance) is left of it.",
+         {{{kNode, {"absorption", Kind::kTuple, "{r,g,b}, per unit of the world.", kNotNegative}},
+           setAbsorption}}});
     return rows;
 }
 

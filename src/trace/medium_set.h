@@ -35,17 +35,23 @@ class MediumSet {
         ++count_;
     }
 
-    /// The refractive index here: that of the object created last, or 1 outside of all.
-    double index(const RenderScene& scene) const {
-        double index = 1.0;
+    /// The look of the solid that decides here, the one created last; nullptr outside of all.
+    const Look* look(const RenderScene& scene) const {
+        const Look* look = nullptr;
         Index highest = 0;
         for (std::uint32_t i = 0; i < count_; ++i) {
             const Instance& instance = scene.instances[at(i)];
-            if (i > 0 && instance.order < highest) continue;
+            if (look && instance.order < highest) continue;
             highest = instance.order;
-            index = scene.looks[instance.look].index;
+            look = &scene.looks[instance.look];
         }
-        return index;
+        return look;
+    }
+
+    /// The refractive index here: 1 outside of all.
+    double index(const RenderScene& scene) const {
+        const Look* here = look(scene);
+        return here ? here->index : 1.0;
     }
 
   private:

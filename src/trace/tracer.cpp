@@ -2,6 +2,7 @@
 
 #include "rt/core/numeric.h"
 #include "rt/sampling/warp.h"
+#include "rt/shading/absorption.h"
 #include "rt/shading/fresnel.h"
 #include "rt/shading/phong.h"
 #include "tracer_first_hit.h"
@@ -65,6 +66,7 @@ void Tracer<Features>::follow(Path path, Sum& sum) {
             addMiss(path, sum);
             return;
         }
+        if constexpr (kAbsorption) absorb(path.media, hit.at.t, path.weight);
         const ShadePoint point = pointAt(path, hit);
         if constexpr (!kSecondary) {
             addOwn(path, 1.0, hit, point, sum);
@@ -209,7 +211,7 @@ void Tracer<Features>::shineThrough(const Path& path, const SceneHit& hit, const
 template <unsigned Features>
 void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
     if (!(part > 0.0)) return;
-    const double bound = path.weight * part * scene_.radianceBound;
+    const double bound = largestOf(path.weight) * part * scene_.radianceBound;
     if (raysLeft_ > 0 && !(bound < settings_.cutoff)) {
         --raysLeft_;
         return;
@@ -272,6 +274,19 @@ MediumSet Tracer<Features>::mediaAt(const Vec3& point) {
         if (lookOf(instance).refracts && !isSheet(instance)) media.toggle(instance);
     }
     return media;
+}
+
+template <unsigned Features>
+bool Tracer<Features>::absorbs(const MediumSet& media) const {
+    const Look* look = media.look(scene_);
+    return look && look->absorption != Color(0.0);
+}
+
+template <unsigned Features>
+void Tracer<Features>::absorb(const MediumSet& media, double distance, Share& share) const {
+    if constexpr (kAbsorption) {
+        if (absorbs(media)) share *= transmittance(media.look(scene_)->absorption, distance);
+    }
 }
 
 namespace {
@@ -345,12 +360,13 @@ void firstHitsWith(const RenderScene& scene, const TraceSettings& settings, cons
     }
 }
 
-constexpr unsigned kVariantFeatures =
-    kFeatureReflection | kFeatureRefraction | kFeatureImages | kFeatureAreaLights;
+constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
+                                      kFeatureAreaLights | kFeatureAbsorption;
 
-/// Glass needs all that mirrors need: total internal reflection.
+/// Glass needs all that mirrors need: total internal reflection. What absorbs is glass.
 constexpr unsigned variantOf(unsigned features) {
     features &= kVariantFeatures;
+    if (features & kFeatureAbsorption) features |= kFeatureRefraction;
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
 }
 

@@ -12,6 +12,7 @@
 #include "shade_point.h"
 #include "shadow_hull.h"
 
+#include <algorithm>
 #include <type_traits>
 #include <vector>
 
@@ -41,6 +42,7 @@ class Tracer {
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
     static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
+    static constexpr bool kAbsorption = (Features & kFeatureAbsorption) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
     static constexpr int kOtherPixels = 1 << 30;
     /// Of a pixel of side 1.
@@ -51,10 +53,13 @@ class Tracer {
     template <class Type>
     using WithImages = std::conditional_t<kImages, Type, Nothing>;
 
+    /// A share of light: one for all channels, where nothing colours what shines through.
+    using Share = std::conditional_t<kAbsorption, Color, double>;
+
     /// A ray that still has to be followed.
     struct Path {
         Ray ray;
-        double weight = 1.0;  ///< of its value in the sample
+        Share weight{1.0};  ///< of its value in the sample
         int depth = 0;
         double travelled = 0.0;  ///< from the eye to the ray's origin
         /// Names the place in the tree of paths: what n mirrors is 2n, what shines through is 2n+1.
@@ -123,21 +128,26 @@ class Tracer {
                      const ShadePoint& point) const;
     void probeLight(Index light, const Path& path, double own, const SceneHit& hit,
                     const ShadePoint& point, ProbeSum& sum);
-    double probeOccluded(Index light, const LightView& view, const Occluders& occluders,
-                         const Path& path, double own, const ShadePoint& point, ProbeSum& sum);
-    double visibilityOf(Index light, const Vec3& w, double reach, const MediumSet& media,
-                        const ShadePoint& point, const Occluders* occluders);
-    double visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
-                          const MediumSet& media);
+    Share probeOccluded(Index light, const LightView& view, const Occluders& occluders,
+                        const Path& path, double own, const ShadePoint& point, ProbeSum& sum);
+    Share visibilityOf(Index light, const Vec3& w, double reach, const MediumSet& media,
+                       const ShadePoint& point, const Occluders* occluders);
+    Share visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
+                         const MediumSet& media);
     void markNarrow(const Path& path, double distance, ProbeSum& sum) const;
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;
-    double visibility(Index light, const Ray& ray, double reach, const MediumSet& media);
-    double visibilityThroughGlass(Index light, Ray ray, double reach, MediumSet media);
+    Share visibility(Index light, const Ray& ray, double reach, const MediumSet& media);
+    Share visibilityThroughGlass(Index light, Ray ray, double reach, MediumSet media);
     double transmitted(const Vec3& direction, const SceneHit& hit, const ShadePoint& point,
                        const MediumSet& media, const MediumSet& beyond) const;
     MediumSet mediaAt(const Vec3& point);
+    bool absorbs(const MediumSet& media) const;
+    /// Takes what the media absorb of `share` on a way of this length.
+    void absorb(const MediumSet& media, double distance, Share& share) const;
 
+    static double largestOf(double share) { return share; }
+    static double largestOf(const Color& share) { return std::max({share.x, share.y, share.z}); }
     bool isSheet(Index instance) const { return !scene_.instances[instance].closed; }
     bool isEntered(Index instance, const MediumSet& media) const {
         return isSheet(instance) || !media.contains(instance);

@@ -44,23 +44,25 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
 /// stands between the point and there: no light comes from beyond something else. What blocks is
 /// among `occluders`, where these are known.
 template <unsigned Features>
-double Tracer<Features>::visibilityOf(Index light, const Vec3& w, double reach,
-                                      const MediumSet& media, const ShadePoint& point,
-                                      const Occluders* occluders) {
+typename Tracer<Features>::Share Tracer<Features>::visibilityOf(Index light, const Vec3& w,
+                                                                double reach,
+                                                                const MediumSet& media,
+                                                                const ShadePoint& point,
+                                                                const Occluders* occluders) {
     const auto seen = [&](const Vec3& from) {
         const Ray ray{point.leave(from, w), w};
         return occluders ? visibilityPast(*occluders, light, ray, reach, media)
                          : visibility(light, ray, reach, media);
     };
-    const double visible = seen(point.position);
-    if (visible > 0.0 || !point.isRounded()) return visible;
-    const double rounded = seen(point.shadowOrigin);
-    if (rounded == 0.0) return 0.0;
+    const Share visible = seen(point.position);
+    if (largestOf(visible) > 0.0 || !point.isRounded()) return visible;
+    const Share rounded = seen(point.shadowOrigin);
+    if (largestOf(rounded) == 0.0) return Share(0.0);
     const Vec3 lift = point.shadowOrigin - point.position;
     const double height = glm::length(lift);
     ++counts_.rays.shadow;
     const Ray up{point.leave(point.position, point.geometricNormal), lift / height};
-    return anyHit(scene_, up, {0.0, height}) ? 0.0 : rounded;
+    return anyHit(scene_, up, {0.0, height}) ? Share(0.0) : rounded;
 }
 
 /// What light from direction w would bring, with nothing in its way.
@@ -74,37 +76,45 @@ Color Tracer<Features>::lightAlong(const Vec3& w, const Light& light, const Ligh
 
 /// V of the specification. A surface that the light itself lies on does not hide it.
 template <unsigned Features>
-double Tracer<Features>::visibility(Index light, const Ray& ray, double reach,
-                                    const MediumSet& media) {
+typename Tracer<Features>::Share Tracer<Features>::visibility(Index light, const Ray& ray,
+                                                              double reach,
+                                                              const MediumSet& media) {
     const double last = reach * (1.0 - kCoincidence);
     if constexpr (kRefraction) {
         return visibilityThroughGlass(light, ray, last, media);
     } else {
         ++counts_.rays.shadow;
-        return lastBlockers_[light].anyHit(scene_, ray, {0.0, last}) ? 0.0 : 1.0;
+        return lastBlockers_[light].anyHit(scene_, ray, {0.0, last}) ? Share(0.0) : Share(1.0);
     }
 }
 
 template <unsigned Features>
-double Tracer<Features>::visibilityThroughGlass(Index light, Ray ray, double reach,
-                                                MediumSet media) {
+typename Tracer<Features>::Share Tracer<Features>::visibilityThroughGlass(Index light, Ray ray,
+                                                                          double reach,
+                                                                          MediumSet media) {
+    Share visible(1.0);
     // Most rays meet nothing, or something opaque, which hides the light wherever it stands.
     const Obstacle obstacle = lastBlockers_[light].obstacle(scene_, ray, {0.0, reach});
     if (obstacle != Obstacle::kTransparent) {
         ++counts_.rays.shadow;
-        return obstacle == Obstacle::kNothing ? 1.0 : 0.0;
+        if (obstacle == Obstacle::kOpaque) return Share(0.0);
+        absorb(media, reach, visible);
+        return visible;
     }
-    double visible = 1.0;
-    for (std::uint64_t left = settings_.raysPerSample; visible > 0.0; --left) {
+    for (std::uint64_t left = settings_.raysPerSample; largestOf(visible) > 0.0; --left) {
         if (left == 0) {
             ++counts_.cutPaths;
-            counts_.cutBound += filterWeight_ * visible * scene_.radianceBound;
-            return 0.0;
+            counts_.cutBound += filterWeight_ * largestOf(visible) * scene_.radianceBound;
+            return Share(0.0);
         }
         ++counts_.rays.shadow;
         SceneHit hit;
-        if (!nextHit(ray, media, {0.0, reach}, hit)) return visible;
-        if (!lookOf(hit.instance).refracts) return 0.0;
+        if (!nextHit(ray, media, {0.0, reach}, hit)) {
+            absorb(media, reach, visible);
+            return visible;
+        }
+        if (!lookOf(hit.instance).refracts) return Share(0.0);
+        absorb(media, hit.at.t, visible);
         const ShadePoint point = shadePoint(scene_, hit, ray.direction, kImages);
         MediumSet beyond = beyondHit(media);
         visible *= transmitted(ray.direction, hit, point, media, beyond);
@@ -112,7 +122,7 @@ double Tracer<Features>::visibilityThroughGlass(Index light, Ray ray, double rea
         ray.origin = point.leave(point.position, ray.direction);
         media = std::move(beyond);
     }
-    return 0.0;
+    return Share(0.0);
 }
 
 /// What one crossing lets through of light that goes straight on: (1 - F), and (1 - f) of every

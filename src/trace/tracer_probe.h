@@ -165,7 +165,9 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
     const Occluders occluders = occluderCache_.occludersIn(
         scene_, {point.position, margin + lift, light.position, light.radius}, index, path.node,
         behind ? hit.instance : kNone);
-    if (occluders.none()) {
+    // The closed form is that of clear air.
+    const bool clear = !(kAbsorption && absorbs(path.media));
+    if (occluders.none() && clear) {
         if (const std::optional<Color> mean = unoccludedMean(
                 point.material, point.normal, -path.ray.direction, light, *view, horizon)) {
             sum.evidence->lit |= bit;
@@ -189,19 +191,21 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
     }
     sum.evidence->marks |= kProbeUncertain;
-    const double visible = probeOccluded(index, *view, occluders, path, own, point, sum);
+    const Share visible = probeOccluded(index, *view, occluders, path, own, point, sum);
     if (view->isPoint()) {
-        (visible > 0.0 ? sum.evidence->lit : sum.evidence->dark) |= bit;
+        (largestOf(visible) > 0.0 ? sum.evidence->lit : sum.evidence->dark) |= bit;
     }
 }
 
 /// Samples a light that is neither proved lit nor proved dark; the last visibility.
 template <unsigned Features>
-double Tracer<Features>::probeOccluded(Index index, const LightView& view,
-                                       const Occluders& occluders, const Path& path, double own,
-                                       const ShadePoint& point, ProbeSum& sum) {
+typename Tracer<Features>::Share Tracer<Features>::probeOccluded(Index index, const LightView& view,
+                                                                 const Occluders& occluders,
+                                                                 const Path& path, double own,
+                                                                 const ShadePoint& point,
+                                                                 ProbeSum& sum) {
     const Light& light = scene_.lights[index];
-    double visible = 0.0;
+    Share visible(0.0);
     const std::uint32_t end = view.isPoint() ? sum.begin + 1 : sum.end;
     for (std::uint32_t i = sum.begin; i < end; ++i) {
         Vec3 w = view.axis;
@@ -224,12 +228,18 @@ double Tracer<Features>::probeOccluded(Index index, const LightView& view,
 
 /// V along a ray that only the occluders can block.
 template <unsigned Features>
-double Tracer<Features>::visibilityPast(const Occluders& occluders, Index light, const Ray& ray,
-                                        double reach, const MediumSet& media) {
-    if (occluders.none()) return 1.0;
+typename Tracer<Features>::Share Tracer<Features>::visibilityPast(const Occluders& occluders,
+                                                                  Index light, const Ray& ray,
+                                                                  double reach,
+                                                                  const MediumSet& media) {
+    if constexpr (kAbsorption) {
+        if (absorbs(media)) return visibility(light, ray, reach, media);
+    }
+    if (occluders.none()) return Share(1.0);
     if (!allOpaque(occluders)) return visibility(light, ray, reach, media);
     ++counts_.rays.shadow;
-    return anyBlocks(scene_, occluders, ray, {0.0, reach * (1.0 - kCoincidence)}) ? 0.0 : 1.0;
+    return anyBlocks(scene_, occluders, ray, {0.0, reach * (1.0 - kCoincidence)}) ? Share(0.0)
+                                                                                  : Share(1.0);
 }
 
 }  // namespace rt

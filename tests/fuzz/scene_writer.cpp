@@ -102,7 +102,7 @@ std::string SceneWriter::appearance() {
 
 std::string SceneWriter::change() {
     const std::string of = ", " + name('n');
-    switch (below(8)) {
+    switch (below(9)) {
         case 0:
             return "gr.translate" + of + ", " + number(-3, 3) + ", " + number(-3, 3) + ", 0";
         case 1: {
@@ -119,6 +119,8 @@ std::string SceneWriter::change() {
             return "gr.set_refraction" + of + ", " + number(1, 2) + ", " + number(0, 1);
         case 6:
             return "gr.set_fresnel" + of + ", true";
+        case 7:
+            return "gr.set_absorption" + of + ", " + vector(0, 2);
         default:
             return "gr.add_child" + of + ", " + name('n') + ", " + name('m');
     }

@@ -88,6 +88,7 @@ TEST_CASE("a geometry node takes its own appearance") {
         s:set_material(gr.material({1,1,1}, {0,0,0}, 1))
         s:set_texture(gr.texture('a.png', {0,0,0}, 1)) gr.set_bumpmap(s, gr.bumpmap('a.png'))
         s:set_reflection(0.25) s:set_refraction(1.5, 0.75) s:set_fresnel(true)
+        s:set_absorption{0, 0.5, 2}
         t:set_reflection(0) t:set_fresnel(true) t:set_fresnel(false))");
     REQUIRE(run.error == "");
     const NodeState& state = run.scene().nodes.at(0).latest();
@@ -99,6 +100,7 @@ TEST_CASE("a geometry node takes its own appearance") {
     CHECK(state.refraction->index == 1.5);
     CHECK(state.refraction->ownWeight == 0.75);
     CHECK(state.fresnel);
+    CHECK(state.absorption == Color(0.0, 0.5, 2.0));
     CHECK(run.scene().nodes.at(1).latest().reflection == 0.0);
     CHECK_FALSE(run.scene().nodes.at(1).latest().fresnel);
     CHECK_FALSE(run.scene().nodes.at(1).latest().refraction);

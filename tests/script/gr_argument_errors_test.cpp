@@ -72,6 +72,8 @@ TEST_CASE("a value of the wrong type is shown beside what was wanted") {
         {"gr.nh_box('b', {0,0,0}, true)", "scene.lua:1: gr.nh_box: r must be a number (got true)"},
         {"gr.nh_sphere('s', {0,0,0}, print)",
          "scene.lua:1: gr.nh_sphere: radius must be a number (got function)"},
+        {"gr.sphere('s'):set_absorption{0, -1, 0}",
+         "scene.lua:1: gr.set_absorption: absorption[2] must be >= 0 (got -1)"},
         {"gr.sphere('s'):set_fresnel(1)",
          "scene.lua:1: gr.set_fresnel: on must be true or false (got number 1)"},
         {"gr.param('n', {})",

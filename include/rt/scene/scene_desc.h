@@ -91,6 +91,7 @@ struct NodeState {
     AppearanceDesc appearance;
     std::optional<double> reflection;  ///< weight of the own colour beside the mirror image
     std::optional<RefractionDesc> refraction;
+    Color absorption{0.0};  ///< of what shines through, per unit of the world
     bool fresnel = false;
     std::vector<EdgeDesc> children;
 };

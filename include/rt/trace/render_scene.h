@@ -41,6 +41,7 @@ struct Look {
     double reflectionOwnWeight = 1.0;  ///< weight of the own colour beside the mirror image
     double refractionOwnWeight = 1.0;  ///< weight of the own colour beside what shines through
     double index = 1.0;
+    Color absorption{0.0};  ///< of what shines through, per unit of the world
     bool reflects = false;
     bool refracts = false;
     bool fresnel = false;
@@ -69,6 +70,7 @@ enum Feature : unsigned {
     kFeatureAreaLights = 1u << 3,
     kFeatureLens = 1u << 4,
     kFeatureMeshes = 1u << 5,
+    kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
 };
 
 struct Background {

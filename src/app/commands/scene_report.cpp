@@ -21,6 +21,8 @@ constexpr FeatureText kTexts[] = {
      "no object has set_refraction"},
     {kFeatureRefraction, "transparent shadows", "shadow rays that walk through glass",
      "no object has set_refraction"},
+    {kFeatureAbsorption, "absorption", "what media absorb along each ray",
+     "no object that light shines through has set_absorption"},
     {kFeatureImages, "textures and bump maps", "texture look-ups and tangents",
      "no object has a texture or a bump map"},
     {kFeatureAreaLights, "area lights", "light samples", "every light is a point"},
