@@ -33,7 +33,7 @@ def parse():
 
 def run(project, folder, options, seconds=None, kill=signal.SIGTERM):
     """-> (exit code, messages); ended by `kill` after `seconds`."""
-    process = subprocess.Popen([project, "scene.lua", "-q", *options], cwd=folder, stdout=subprocess.DEVNULL,
+    process = subprocess.Popen([project, "scene.lua", *options], cwd=folder, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True)
     try:
         return process.wait(seconds), process.stderr.read()
@@ -77,8 +77,8 @@ class Trial:
             if code not in (-signal.SIGKILL, 128 + signal.SIGTERM, 128 + signal.SIGINT, -signal.SIGTERM, -signal.SIGINT):
                 return "exit code %d: %s" % (code, messages)
         code, messages = run(self.project, self.folder, self.options + ["--resume", "-j", "2"])
-        self.resumed = "goes on from" in messages
-        if code != 0 or re.search("warning|error", messages):
+        self.resumed = "Going on from" in messages
+        if code != 0 or re.search("warning:|error:", messages):
             return "exit code %d of the last run: %s" % (code, messages)
         left = [name for name in os.listdir(self.folder) if name.endswith(".checkpoint") or ".tmp-" in name]
         return "left behind: %s" % left if left else None
