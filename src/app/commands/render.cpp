@@ -253,6 +253,7 @@ class Batch {
         if (!isAsked && (!isNamed || prepared.options.time || isLookedAt)) return;
         checkpoint_.emplace(options_, file, script.filesRead, scriptBegan_, std::move(traits));
         noteIfAny(checkpoint_->open());
+        if (checkpoint_->goesOn()) tell("Going on from " + checkpoint_->file());
     }
 
     bool isStale() const {
