@@ -6,7 +6,8 @@ PROJECT is the executable. NAME is a class in small letters; threads is what the
 import glob, json, os, shutil, signal, struct, subprocess, sys, time, unittest, zlib
 
 from base import BALL, EVERYTHING, EndToEnd, TOP
-from documents import Documents
+from documents import Documents, Parameters
+from installing import Installing
 from writing_scenes import Dependencies, OnTerminal, Previewing, Watching
 
 PROJECT = ""
@@ -719,7 +720,7 @@ def main():
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards, Dependencies, Watching, Previewing,
-             Documents, Golden, Comparing, Failures]
+             Documents, Parameters, Installing, Golden, Comparing, Failures]
     if sys.argv[2:3] == ["--only"]:
         cases = [case for case in cases if case.__name__.lower() in sys.argv[3:]]
     for case in cases:
