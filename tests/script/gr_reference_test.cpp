@@ -62,6 +62,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"set_reflection", "ball:set_reflection(0.5)"},
         {"set_refraction", "ball:set_refraction(1.5, 0.5)"},
         {"set_fresnel", "ball:set_fresnel(true)"},
+        {"set_absorption", "ball:set_absorption{0, 1, 2}"},
         {"light", "gr.light({0, 0, 0}, {1, 1, 1}, {1, 0, 0})"},
         {"focal", "gr.focal(5, 1, 0.1)"},
         {"render",
