@@ -272,7 +272,7 @@ class Compiler {
         out_.ambient = render_.ambient;
         for (const LightDesc& desc : render_.lights) {
             out_.lights.push_back(desc.light);
-            if (desc.light.radius > 0.0) out_.features |= kFeatureAreaLights;
+            if (!isPointLike(desc.light)) out_.features |= kFeatureAreaLights;
         }
         out_.background.bottom = render_.background.bottom;
         out_.background.top = render_.background.top;

@@ -33,9 +33,12 @@ double distanceTo(const Bounds& box, const Vec3& p) {
 
 /// The greatest irradiance that a light gives on anything, its weight included.
 double lightBound(const Light& light, const Bounds& objects) {
-    const double d = std::max(light.radius, distanceTo(objects, light.position));
+    const double toCentre = distanceTo(objects, light.position);
+    const bool isRectangle = light.kind == LightKind::kRectangle;
+    const double d =
+        isRectangle ? std::max(toCentre - light.radius, 0.0) : std::max(light.radius, toCentre);
     const double falloff = light.c0 + d * (light.c1 + d * light.c2);
-    const double weight = light.radius > 0.0 ? 2.0 : 1.0;
+    const double weight = isRectangle || isPointLike(light) ? 1.0 : 2.0;
     return falloff > 0.0 ? weight * brightest(light.intensity) / falloff : kInfinity;
 }
 

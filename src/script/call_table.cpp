@@ -76,6 +76,26 @@ void warnOfExtra(const CallForm& form, const Arguments& arguments, SceneBuilder&
     }
 }
 
+/// Puts the fields of the only argument in its place, in the order of the parameters.
+void spreadFields(const CallRow& row, const CallForm& form, const Arguments& in,
+                  SceneBuilder& builder) {
+    lua_State* L = in.state();
+    const std::string usage = usageText(row, form);
+    if (in.count() == 0) builder.fail("a table of fields is missing; the call is " + usage);
+    in.requireTable(1, {"its argument"}, "a table of fields");
+    lua_settop(L, 1);
+    std::vector<std::string> known;
+    for (const Parameter& parameter : form.parameters) known.push_back(parameter.name);
+    for (const std::string& name : in.fieldNames(1, {"its argument"})) {
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        builder.fail("unknown field '" + printable(name, 64) + "'" + didYouMean(name, known) +
+                     "; the call is " + usage);
+    }
+    ensureStack(L, static_cast<int>(known.size()));
+    for (const std::string& name : known) pushField(L, 1, name);
+    lua_remove(L, 1);
+}
+
 void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& builder) {
     const int type = lua_type(arguments.state(), 1);
     if (!row.isMethod() || type == LUA_TUSERDATA) return;
@@ -121,8 +141,9 @@ std::vector<std::string> callNames() {
 
 std::string usageText(const CallRow& row, const CallForm& form) {
     const std::size_t first = row.isMethod() ? 1 : 0;
-    std::string text = (row.isMethod() ? "node:" : "gr.") + std::string(row.name) + "(";
-    std::string closing = ")";
+    std::string text =
+        (row.isMethod() ? "node:" : "gr.") + std::string(row.name) + (form.named ? "{" : "(");
+    std::string closing = form.named ? "}" : ")";
     for (std::size_t i = first; i < form.parameters.size(); ++i) {
         const Parameter& parameter = form.parameters[i];
         if (parameter.optional) {
@@ -131,6 +152,7 @@ std::string usageText(const CallRow& row, const CallForm& form) {
         }
         text += i > first ? ", " : "";
         text += parameter.name;
+        if (form.named) text += "=";
     }
     return text + closing;
 }
@@ -143,11 +165,13 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
 CallResult runCall(const CallRow& row, const Arguments& arguments, SceneBuilder& builder) {
     requireNode(row, arguments, builder);
     const CallForm& form = formOf(row, arguments);
+    if (form.named) spreadFields(row, form, arguments, builder);
     Call call(arguments, builder);
     for (std::size_t i = 0; i < form.parameters.size(); ++i) {
         const Parameter& parameter = form.parameters[i];
         const int slot = Call::slot(i);
-        if (slot > arguments.count() && !parameter.optional) {
+        const bool missing = form.named ? !arguments.isGiven(slot) : slot > arguments.count();
+        if (missing && !parameter.optional) {
             builder.fail(std::string(parameter.name) + " is missing; the call is " +
                          usageText(row, form));
         }

@@ -85,6 +85,8 @@ struct CallForm {
     CallResult (*run)(Call&);
     /// Whether these arguments mean this form; nullptr for the form that is left.
     bool (*fits)(const Arguments&) = nullptr;
+    /// Whether the call takes one table, whose fields are the parameters.
+    bool named = false;
 };
 
 struct CallRow {
@@ -118,7 +120,8 @@ const std::vector<CallRow>& callTable();
 const std::vector<FieldRow>& fieldTable();
 std::vector<std::string> callNames();
 
-/// "gr.nh_sphere(name, centre, radius)", "node:translate(dx, dy, dz)".
+/// "gr.nh_sphere(name, centre, radius)", "node:translate(dx, dy, dz)", "gr.sun_light{direction=,
+/// colour= [, angle=]}".
 std::string usageText(const CallRow& row, const CallForm& form);
 
 /// "; did you mean 'sphere'?", or "" where nothing is near.

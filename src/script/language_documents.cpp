@@ -84,8 +84,9 @@ std::string namesOf(const CallForm& form, std::size_t first) {
     return text;
 }
 
-std::string parameterLine(const Parameter& parameter) {
-    std::string line = "---@param " + std::string(parameter.name) +
+/// `tag` is "param" or "field".
+std::string annotation(const char* tag, const Parameter& parameter) {
+    std::string line = "---@" + std::string(tag) + " " + parameter.name +
                        (parameter.optional ? "? " : " ") + typeOf(parameter) + " " + parameter.doc;
     const std::string limits = limitsOf(parameter);
     return line + (limits.empty() ? "" : " (" + limits + ")") + "\n";
@@ -101,16 +102,35 @@ std::string overloadLine(const CallRow& row, const CallForm& form, std::size_t f
     return line + ")" + (*row.returns ? ": " + std::string(row.returns) : "") + "\n";
 }
 
+std::string fieldsName(const CallRow& row) {
+    return "gr." + std::string(row.name) + "_fields";
+}
+
+std::string fieldsClass(const CallRow& row, const CallForm& form) {
+    std::string text = "\n---@class " + fieldsName(row) + "\n";
+    for (const Parameter& parameter : form.parameters) text += annotation("field", parameter);
+    return text;
+}
+
+/// Of a call that takes a table of fields.
+std::string namedStubOf(const CallRow& row) {
+    return fieldsClass(row, row.forms.back()) + "\n---" + row.doc + "\n---@param fields " +
+           fieldsName(row) + "\n" +
+           (*row.returns ? "---@return " + std::string(row.returns) + "\n" : "") + "function gr." +
+           row.name + "(fields) end\n";
+}
+
 /// `gr.scale(node, ...)`, or as a method, whose node stands before the colon.
 std::string stubOf(const CallRow& row, bool asMethod) {
     const std::size_t first = asMethod ? 1 : 0;
     const CallForm& last = row.forms.back();
+    if (last.named) return namedStubOf(row);
     std::string text = "\n---" + std::string(row.doc) + "\n";
     if (row.returns == std::string(kSameType)) {
         text += "---@generic " + std::string(kSameType) + ": " + kSameTypes + "\n";
     }
     for (std::size_t i = first; i < last.parameters.size(); ++i) {
-        text += parameterLine(last.parameters[i]);
+        text += annotation("param", last.parameters[i]);
     }
     if (*row.returns) text += "---@return " + std::string(row.returns) + "\n";
     for (const CallForm& form : row.forms) {
@@ -153,7 +173,8 @@ std::string shownType(const std::string& type) {
 std::string parameterTable(const CallRow& row, const CallForm& form) {
     const std::size_t first = row.isMethod() ? 1 : 0;
     if (form.parameters.size() == first) return "";
-    std::string text = "\n| argument | type | values | meaning |\n|---|---|---|---|\n";
+    std::string text = std::string(form.named ? "\n| field" : "\n| argument") +
+                       " | type | values | meaning |\n|---|---|---|---|\n";
     for (std::size_t i = first; i < form.parameters.size(); ++i) {
         const Parameter& parameter = form.parameters[i];
         text += "| `" + std::string(parameter.name) + "`" +

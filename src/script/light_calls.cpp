@@ -1,5 +1,8 @@
 #include "call_table.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rt {
 
 namespace {
@@ -14,10 +17,23 @@ CallResult addLight(Call& call, Light light) {
     return call.scene.addLight(light);
 }
 
+Light ballLight(const Vec3& position, const Color& colour, const Vec3& falloff, double radius,
+                double brightness) {
+    Light light;
+    light.position = position;
+    light.intensity = colour;
+    light.c0 = falloff.x;
+    light.c1 = falloff.y;
+    light.c2 = falloff.z;
+    light.radius = radius;
+    light.brightness = brightness;
+    return light;
+}
+
 CallResult light(Call& call) {
     const Vec3& falloff = call.tuple(2);
-    return addLight(call, {call.tuple(0), call.tuple(1), falloff.x, falloff.y, falloff.z,
-                           call.number(3), call.number(4)});
+    return addLight(
+        call, ballLight(call.tuple(0), call.tuple(1), falloff, call.number(3), call.number(4)));
 }
 
 CallResult scalarLight(Call& call) {
@@ -29,8 +45,44 @@ CallResult scalarLight(Call& call) {
         call.scene.warnOnce("negative-colour", "the colour has a negative channel");
     }
     const Vec3 falloff = triple(6);
+    return addLight(call, ballLight(triple(0), color, falloff, call.number(9), call.number(10)));
+}
+
+/// Of length 1; refuses one of length 0.
+Vec3 unit(Call& call, std::size_t i, const char* name) {
+    const Vec3& v = call.tuple(i);
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (!(largest > 0.0)) call.scene.fail(std::string(name) + " must not be zero");
+    return glm::normalize(v / largest);
+}
+
+Vec3 falloffOr(Call& call, std::size_t i) {
+    return call.given(i) ? call.tuple(i) : Vec3(1.0, 0.0, 0.0);
+}
+
+CallResult spot(Call& call) {
+    const Light ball =
+        ballLight(call.tuple(0), call.tuple(2), falloffOr(call, 3), call.number(6), call.number(7));
+    const double outer = call.number(5);
+    constexpr double kFullShare = 2.0 / 3.0;
+    const double inner = call.given(4) ? call.number(4) : kFullShare * outer;
+    if (inner > outer) {
+        call.scene.fail("inner must be <= outer (got inner " + numberText(inner) + ", outer " +
+                        numberText(outer) + ")");
+    }
+    return addLight(call, spotLight(ball, unit(call, 1, "direction"), inner, outer));
+}
+
+CallResult sun(Call& call) {
     return addLight(
-        call, {triple(0), color, falloff.x, falloff.y, falloff.z, call.number(9), call.number(10)});
+        call, sunLight(unit(call, 0, "direction"), call.tuple(1), call.number(2), call.number(3)));
+}
+
+CallResult rectangle(Call& call) {
+    const Light point =
+        ballLight(Vec3(0.0), call.tuple(3), falloffOr(call, 4), 0.0, call.number(5));
+    for (const std::size_t side : {1, 2}) unit(call, side, side == 1 ? "u" : "v");
+    return addLight(call, rectangleLight(point, call.tuple(0), call.tuple(1), call.tuple(2)));
 }
 
 bool startsWithNumber(const Arguments& in) {
@@ -42,6 +94,61 @@ constexpr Parameter kRadius{
     kNotNegative, true,          0.0};
 constexpr Parameter kBrightness{"brightness", Kind::kNumber, "Floor of n.w in the matt part.",
                                 kNotNegative, true,          0.0};
+
+constexpr Parameter kColour{"colour", Kind::kColor, "{r,g,b}."};
+constexpr Parameter kFalloff{"falloff", Kind::kTuple, "{c0,c1,c2}; {1,0,0} without it.",
+                             kNotNegative, true};
+constexpr Range kHalfTurn{0.0, 180.0, false, false};
+
+std::vector<CallRow> namedLights() {
+    return {
+        {"spot_light",
+         "A light whose cone fades smoothly from its full light within inner to none beyond outer.",
+         {{{{"position", Kind::kTuple, "Its centre."},
+            {"direction", Kind::kTuple, "Where it shines, of any length but zero."},
+            kColour,
+            kFalloff,
+            {"inner", Kind::kNumber,
+             "Degrees from the axis to the edge of the full light; 2/3 of outer without it.",
+             kHalfTurn, true},
+            {"outer", Kind::kNumber, "Degrees from the axis to where there is none.", kHalfTurn,
+             true, 30.0},
+            kRadius,
+            kBrightness},
+           spot,
+           nullptr,
+           true}},
+         "gr.light"},
+        {"sun_light",
+         "A light from infinitely far away, its colour the same at every distance.",
+         {{{{"direction", Kind::kTuple, "The way that its light goes, of any length but zero."},
+            kColour,
+            {"angle",
+             Kind::kNumber,
+             "Degrees from the middle of its disc to the rim; 0 is a point.",
+             {0.0, 90.0, false, true},
+             true,
+             0.0},
+            kBrightness},
+           sun,
+           nullptr,
+           true}},
+         "gr.light"},
+        {"rectangle_light",
+         "A light in the form of a parallelogram, each point of it a point light that shines to "
+         "both sides.",
+         {{{{"corner", Kind::kTuple, "One of its corners."},
+            {"u", Kind::kTuple, "The side from there to the next corner."},
+            {"v", Kind::kTuple, "The other side from there."},
+            kColour,
+            kFalloff,
+            kBrightness},
+           rectangle,
+           nullptr,
+           true}},
+         "gr.light"},
+    };
+}
 
 CallForm scalarForm() {
     const auto number = [](const char* name, const char* doc, Range range) {
@@ -78,7 +185,7 @@ CallResult focal(Call& call) {
 }  // namespace
 
 std::vector<CallRow> lightCalls() {
-    return {
+    std::vector<CallRow> rows = {
         {"light",
          "A light in the form of a sphere, itself invisible. At distance d it gives its colour / "
          "(c0 + c1 d + c2 d^2).",
@@ -106,6 +213,8 @@ std::vector<CallRow> lightCalls() {
            focal}},
          "gr.focal"},
     };
+    for (CallRow& row : namedLights()) rows.insert(rows.end() - 1, std::move(row));
+    return rows;
 }
 
 }  // namespace rt

@@ -5,7 +5,10 @@ namespace rt {
 bool OccluderCache::Entry::covers(const ShadowHull& other) const {
     const double room = hull.fromRadius - other.fromRadius;
     const Vec3 step = other.from - hull.from;
-    return room > 0.0 && glm::dot(step, step) <= room * room;
+    if (!(room > 0.0 && glm::dot(step, step) <= room * room)) return false;
+    const double roomThere = hull.toRadius - other.toRadius;
+    const Vec3 stepThere = other.to - hull.to;
+    return roomThere >= 0.0 && glm::dot(stepThere, stepThere) <= roomThere * roomThere;
 }
 
 OccluderCache::Entry& OccluderCache::entryFor(Index light, std::uint32_t path) {
@@ -26,6 +29,8 @@ Occluders OccluderCache::occludersIn(const RenderScene& scene, const ShadowHull&
     if (!entry.covers(hull)) {
         entry.hull = hull;
         entry.hull.fromRadius *= entry.reach;
+        // The far end moves by the step to the side, and by as much along the light.
+        if (hull.parallel) entry.hull.toRadius += 2.0 * (entry.hull.fromRadius - hull.fromRadius);
         if (!candidatesIn(scene, entry.hull, kMostCandidates, entry.candidates)) {
             entry.reach /= 4.0;
             entry.hull.fromRadius = 0.0;

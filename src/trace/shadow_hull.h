@@ -1,5 +1,5 @@
-// All that lies between the neighbourhood of a point and a sphere light: the convex hull of two
-// balls. What no object meets is wholly lit.
+// All that lies between the neighbourhood of a point and a light: the convex hull of two balls, of
+// which the second holds the light. What no object meets is wholly lit.
 #pragma once
 
 #include "rt/core/bounds.h"
@@ -17,6 +17,8 @@ struct ShadowHull {
     double fromRadius = 0.0;
     Vec3 to{0.0};
     double toRadius = 0.0;
+    /// `to` moves with `from`, and is farther from it than all objects.
+    bool parallel = false;
 
     /// Whether it may meet a box; true for some that it passes by at their edges.
     bool mayMeet(const Bounds& box) const;

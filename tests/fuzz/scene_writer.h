@@ -30,6 +30,7 @@ class SceneWriter {
     std::string appearance();
     std::string statement();
     std::string change();
+    std::string namedLight();
     std::string render();
 
     std::span<const std::uint8_t> bytes_;

@@ -74,6 +74,23 @@ TEST_CASE("a value of the wrong type is shown beside what was wanted") {
          "scene.lua:1: gr.nh_sphere: radius must be a number (got function)"},
         {"gr.sphere('s'):set_absorption{0, -1, 0}",
          "scene.lua:1: gr.set_absorption: absorption[2] must be >= 0 (got -1)"},
+        {"gr.spot_light{position = {0,0,0}, direction = {0,1,0}, colour = {1,1,1}, inner = 40}",
+         "scene.lua:1: gr.spot_light: inner must be <= outer (got inner 40, outer 30)"},
+        {"gr.sun_light{direction = {0,0,0}, colour = {1,1,1}}",
+         "scene.lua:1: gr.sun_light: direction must not be zero"},
+        {"gr.sun_light{direction = {0,1,0}, colour = {1,1,1}, angle = 90}",
+         "scene.lua:1: gr.sun_light: angle must be >= 0 and < 90 (got 90)"},
+        {"gr.sun_light{directoin = {0,1,0}, colour = {1,1,1}}",
+         "scene.lua:1: gr.sun_light: unknown field 'directoin'; did you mean 'direction'?; the "
+         "call "
+         "is gr.sun_light{direction=, colour= [, angle= [, brightness=]]}"},
+        {"gr.sun_light{direction = {0,1,0}}",
+         "scene.lua:1: gr.sun_light: colour is missing; the call is "
+         "gr.sun_light{direction=, colour= [, angle= [, brightness=]]}"},
+        {"gr.sun_light(7)",
+         "scene.lua:1: gr.sun_light: its argument must be a table of fields (got number 7)"},
+        {"gr.rectangle_light{corner = {0,0,0}, u = {0,0,0}, v = {0,1,0}, colour = {1,1,1}}",
+         "scene.lua:1: gr.rectangle_light: u must not be zero"},
         {"gr.sphere('s'):set_fresnel(1)",
          "scene.lua:1: gr.set_fresnel: on must be true or false (got number 1)"},
         {"gr.param('n', {})",

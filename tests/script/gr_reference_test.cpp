@@ -62,8 +62,14 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"set_reflection", "ball:set_reflection(0.5)"},
         {"set_refraction", "ball:set_refraction(1.5, 0.5)"},
         {"set_fresnel", "ball:set_fresnel(true)"},
-        {"set_absorption", "ball:set_absorption({0.1, 0.2, 0.3})"},
+        {"set_absorption", "ball:set_absorption{0, 1, 2}"},
         {"light", "gr.light({0, 0, 0}, {1, 1, 1}, {1, 0, 0})"},
+        {"spot_light",
+         "gr.spot_light{position = {0, 0, 0}, direction = {0, 1, 0}, colour = {1, 1, 1}}"},
+        {"sun_light", "gr.sun_light{direction = {0, 1, 0}, colour = {1, 1, 1}}"},
+        {"rectangle_light",
+         "gr.rectangle_light{corner = {0, 0, 0}, u = {1, 0, 0}, v = {0, 1, 0}, "
+         "colour = {1, 1, 1}}"},
         {"focal", "gr.focal(5, 1, 0.1)"},
         {"render",
          "gr.render(group, 'a.png', 1, 1, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 40, "
@@ -181,6 +187,8 @@ TEST_CASE("the stubs say how an argument is left out, what it may be, and how el
                 "---@overload fun(name: string, corner: gr.tuple, size: gr.tuple): "
                 "gr.node\n"));
     CHECK(holds(stubs, "---@generic T: number|string|boolean\n---@param name string"));
+    CHECK(holds(stubs, "---@class gr.sun_light_fields\n---@field direction gr.tuple "));
+    CHECK(holds(stubs, "\nfunction gr.sun_light(fields) end\n"));
     CHECK(holds(stubs, "---@field bits? 8|16 "));
     CHECK(holds(stubs, "---@field max_spp? integer "));
 }
