@@ -273,6 +273,7 @@ class Compiler {
         for (const LightDesc& desc : render_.lights) {
             out_.lights.push_back(desc.light);
             if (!isPointLike(desc.light)) out_.features |= kFeatureAreaLights;
+            if (desc.light.kind != LightKind::kBall) out_.features |= kFeatureLightKinds;
         }
         out_.background.bottom = render_.background.bottom;
         out_.background.top = render_.background.top;

@@ -361,10 +361,12 @@ void firstHitsWith(const RenderScene& scene, const TraceSettings& settings, cons
 }
 
 constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
-                                      kFeatureAreaLights | kFeatureAbsorption;
+                                      kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds;
 
-/// Glass needs all that mirrors need: total internal reflection. What absorbs is glass.
+/// Glass needs all that mirrors need: total internal reflection. What absorbs is glass. One
+/// variant with everything is enough for the kinds of light.
 constexpr unsigned variantOf(unsigned features) {
+    if (features & kFeatureLightKinds) return kVariantFeatures;
     features &= kVariantFeatures;
     if (features & kFeatureAbsorption) features |= kFeatureRefraction;
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;

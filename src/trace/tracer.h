@@ -42,6 +42,7 @@ class Tracer {
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
     static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
+    static constexpr bool kLightKinds = (Features & kFeatureLightKinds) != 0;
     static constexpr bool kAbsorption = (Features & kFeatureAbsorption) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
     static constexpr int kOtherPixels = 1 << 30;
@@ -124,6 +125,7 @@ class Tracer {
 
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
+    std::optional<LightView> viewOfLight(const Light& light, const Vec3& from) const;
     Color lightAlong(const LightRay& ray, double brightness, const Path& path,
                      const ShadePoint& point) const;
     void probeLight(Index light, const Path& path, double own, const SceneHit& hit,

@@ -71,6 +71,7 @@ enum Feature : unsigned {
     kFeatureLens = 1u << 4,
     kFeatureMeshes = 1u << 5,
     kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
+    kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
 };
 
 struct Background {
