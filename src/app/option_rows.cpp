@@ -95,7 +95,14 @@ void addScriptRows(Rows& rows) {
                         const auto [name, value] = parameterFrom("-D", v);
                         o.parameters[name] = value;
                     }});
-    rows.push_back(flag(kScript, "--list-params", "list the script's parameters and render nothing",
+    rows.push_back({kScript, "--param-file", "FILE",
+                    "set parameters by lines \"name = value\"; -D counts more",
+                    [](Options& o, const std::string& v) {
+                        if (v.empty()) throw UsageError("--param-file: the name is empty");
+                        o.parameterFiles.push_back(v);
+                    }});
+    rows.push_back(flag(kScript, "--list-params",
+                        "list the script's parameters, as a file for --param-file",
                         &Options::listParams));
     rows.push_back(
         flag(kScript, "--trust", "let the script read and write files anywhere", &Options::trust));

@@ -37,32 +37,33 @@ ParameterOptions readOptions(const Call& call) {
     return options;
 }
 
-[[noreturn]] void refuse(const Call& call, const std::string& text, const std::string& wanted) {
-    call.scene.fail("-D " + printable(call.text(0), 64) + "=" + printable(text, 64) + " " + wanted);
+[[noreturn]] void refuse(const Call& call, const GivenParameter& given, const std::string& wanted) {
+    call.scene.fail(given.text() + " " + wanted);
 }
 
-double parseNumber(const Call& call, const std::string& text) {
+double parseNumber(const Call& call, const GivenParameter& given) {
+    const std::string& text = given.value;
     double value = 0.0;
     const char* first = text.data();
     const char* last = first + text.size();
     if (text.size() > 1 && first[0] == '+' && first[1] != '-') ++first;
     const auto parsed = std::from_chars(first, last, value);
     const bool whole = parsed.ec == std::errc() && parsed.ptr == last && std::isfinite(value);
-    if (!whole) refuse(call, text, "must be a finite number");
+    if (!whole) refuse(call, given, "must be a finite number");
     return value;
 }
 
-bool parseBoolean(const Call& call, const std::string& text) {
+bool parseBoolean(const Call& call, const GivenParameter& given) {
     for (const char* yes : {"true", "1", "yes", "on"}) {
-        if (text == yes) return true;
+        if (given.value == yes) return true;
     }
     for (const char* no : {"false", "0", "no", "off"}) {
-        if (text == no) return false;
+        if (given.value == no) return false;
     }
-    refuse(call, text, "must be true or false");
+    refuse(call, given, "must be true or false");
 }
 
-CallResult numberParameter(Call& call, const std::string* given) {
+CallResult numberParameter(Call& call, const GivenParameter* given) {
     const ParameterOptions options = readOptions(call);
     lua_State* L = call.arguments().state();
     const int slot = Call::slot(1);
@@ -85,7 +86,7 @@ CallResult numberParameter(Call& call, const std::string* given) {
 CallResult parameter(Call& call) {
     const Arguments& in = call.arguments();
     const int slot = Call::slot(1);
-    const std::string* given = call.scene.parameterText(call.text(0));
+    const GivenParameter* given = call.scene.givenParameter(call.text(0));
     switch (lua_type(in.state(), slot)) {
         case LUA_TNUMBER:
             return numberParameter(call, given);
@@ -95,7 +96,7 @@ CallResult parameter(Call& call) {
             return value;
         }
         case LUA_TSTRING: {
-            const std::string value = given ? *given : in.text(slot, {"default"});
+            const std::string value = given ? given->value : in.text(slot, {"default"});
             call.scene.addParameter(call.text(0), value, readOptions(call).doc);
             return value;
         }
@@ -110,7 +111,8 @@ CallResult parameter(Call& call) {
 std::vector<CallRow> parameterCalls() {
     return {
         {"param",
-         "A value that -D name=value sets on the command line, of the default's type.",
+         "A value that -D name=value or --param-file sets on the command line, of the default's "
+         "type.",
          {{{{"name", Kind::kText, "Its name."},
             {"default", Kind::kAny, "A number, a string or a boolean.", {}, false, {}, kSameType},
             {"options",

@@ -204,9 +204,24 @@ void SceneBuilder::addRender(RenderDesc render) {
     scene_.renders.push_back(std::move(render));
 }
 
-const std::string* SceneBuilder::parameterText(const std::string& name) {
-    const auto given = settings_.parameters.find(name);
-    if (given == settings_.parameters.end()) return nullptr;
+void SceneBuilder::readParameters() {
+    for (const std::string& file : settings_.parameterFiles) {
+        std::error_code failed;
+        const bool exists = std::filesystem::exists(file, failed);
+        const std::filesystem::path resolved = std::filesystem::weakly_canonical(file, failed);
+        (exists ? files_.read : files_.absent).push_back(failed ? file : resolved.string());
+        for (GivenParameter& given : readParameterFile(file, settings_.memoryLimit)) {
+            given_.insert_or_assign(given.name, given);
+        }
+    }
+    for (const auto& [name, value] : settings_.parameters) {
+        given_.insert_or_assign(name, GivenParameter{name, value, {}});
+    }
+}
+
+const GivenParameter* SceneBuilder::givenParameter(const std::string& name) {
+    const auto given = given_.find(name);
+    if (given == given_.end()) return nullptr;
     parametersRead_.insert(name);
     return &given->second;
 }
@@ -218,17 +233,25 @@ void SceneBuilder::addParameter(const std::string& name, const std::string& valu
     parameters_.push_back({name, value, doc, where_});
 }
 
+/// A file is written for a scene, so that a name too many is a mistake; -D may be meant for others
+/// of several scenes.
+void SceneBuilder::judgeUnread(const GivenParameter& given) const {
+    std::vector<std::string> known;
+    for (const ScriptParameter& parameter : parameters_) known.push_back(parameter.name);
+    const std::string nearest = nearestName(given.name, known);
+    const std::string hint =
+        ": no gr.param reads it" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    const std::string name = printable(given.name, 64);
+    if (!given.where.file.empty()) {
+        throw SceneError("unknown parameter '" + name + "'" + hint, given.where);
+    }
+    diagnostics_.warn("unused-parameter", {scene_.name, 0}, "unused parameter -D " + name + hint);
+}
+
 ScriptResult SceneBuilder::finish() {
     const SourceLocation script{scene_.name, 0};
-    for (const auto& given : settings_.parameters) {
-        if (parametersRead_.count(given.first) > 0) continue;
-        std::vector<std::string> known;
-        for (const ScriptParameter& parameter : parameters_) known.push_back(parameter.name);
-        const std::string nearest = nearestName(given.first, known);
-        diagnostics_.warn("unused-parameter", script,
-                          "unused parameter -D " + printable(given.first, 64) +
-                              ": no gr.param reads it" +
-                              (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    for (const auto& [name, given] : given_) {
+        if (parametersRead_.count(name) == 0) judgeUnread(given);
     }
     if (scene_.renders.empty()) {
         diagnostics_.warn("no-render", script, "nothing was rendered");

@@ -6,6 +6,7 @@
 
 #include "rt/core/diagnostics.h"
 #include "rt/scene/scene_desc.h"
+#include "rt/script/parameter_file.h"
 #include "rt/script/scene_script.h"
 
 #include <cstddef>
@@ -83,8 +84,10 @@ class SceneBuilder {
     /// Completes the render with the background and the options of this moment.
     void addRender(RenderDesc render);
 
-    /// The text of -D for this name, if any; the name counts as read.
-    const std::string* parameterText(const std::string& name);
+    /// Reads the files of parameters; what is wrong with them is a SceneError.
+    void readParameters();
+    /// What this parameter was set to, if it was; the name counts as read.
+    const GivenParameter* givenParameter(const std::string& name);
     /// Lists a parameter; the first gr.param of a name stays.
     void addParameter(const std::string& name, const std::string& value, const std::string& doc);
 
@@ -99,6 +102,7 @@ class SceneBuilder {
 
   private:
     std::string resolveAsset(const std::string& file, AssetRole role);
+    void judgeUnread(const GivenParameter& given) const;
     [[noreturn]] void failCycle(Index parent, Index child) const;
 
     const ScriptSettings& settings_;
@@ -110,6 +114,7 @@ class SceneBuilder {
     RenderOptions options_;
     std::vector<ScriptParameter> parameters_;
     std::set<std::string> parameterNames_;
+    std::map<std::string, GivenParameter> given_;
     std::set<std::string> parametersRead_;
 
     AssetSearch search_;

@@ -53,6 +53,7 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
         openGr(lua, builder);
         lua.protect([&](lua_State* L) { setArguments(L, path, settings.arguments); });
         try {
+            builder.readParameters();
             lua.runFile(path, settings.arguments);
         } catch (Error& error) {
             error.attach(lua.traceback());
@@ -61,9 +62,9 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
         }
         found = filesOf(lua.get(), builder);
     }
+    if (files) *files = found;
     ScriptResult result = builder.finish();
-    result.filesRead = found.read;
-    if (files) *files = std::move(found);
+    result.filesRead = std::move(found.read);
     return result;
 }
 

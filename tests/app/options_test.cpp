@@ -104,6 +104,10 @@ TEST_CASE("Every option reaches its field") {
              return o.parameters.at("n") == "a=b" && o.parameters.at("m").empty() &&
                     o.parameters.size() == 2;
          }},
+        {{"--param-file", "a", "--param-file", "b"},
+         [](const Options& o) {
+             return o.parameterFiles == Words{"a", "b"};
+         }},
         {{"--frames", "3-12"},
          [](const Options& o) { return o.frames->first == 3 && o.frames->last == 12; }},
         {{"--frames", "7"},

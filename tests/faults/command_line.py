@@ -64,6 +64,26 @@ CASES = [
     Case("A10", "-D that nobody reads", BALL, ("scene.lua", *QUIET, "-D", "unread=1"), 0, r"warning: .*unread"),
     Case("A10", "-D that nobody reads, --werror", BALL, ("scene.lua", *QUIET, "-D", "unread=1", "--werror"), 1,
          r"warning: .*unread"),
+    *[Case("A9", "a file of parameters with " + what, PARAM, ("scene.lua", *QUIET, "--param-file", "p"), 1, says,
+           files={"p": content})
+      for what, content, says in (
+          ("a word for a number", "n = abc\n", r"scene\.lua:1: error: .*n = abc \(p:1\)"),
+          ("no =", "\nn 3\n", r"p:2: error: 'n 3' must be name = value"),
+          ("a name twice", "n = 3\nn = 3\n", r"p:2: error: .*line 1"),
+          ("a quote without an end", 'n = "3\n', r"p:1: error: .*quotes"),
+          ("bytes of any kind", bytes(range(256)), r"p:1: error: "))],
+    Case("A9", "a file of parameters with other line ends, and no last one", PARAM,
+         ("scene.lua", *QUIET, "--param-file", "p"), writes="x.png", files={"p": "# DOS\r\nn = 3\r\n\r\n#"}),
+    *[Case("A9", "a file of parameters that is " + what, PARAM, ("scene.lua", *QUIET, "--param-file", name), 1, says,
+           files={"d/x": b""})
+      for what, name, says in (("missing", "none", r"none: error: cannot be opened"), ("a folder", "d", r"d: error: is a folder"),
+                               ("a device", "/dev/zero", r"/dev/zero: error: is a device"))],
+    Case("A9", "a file of parameters larger than the script's memory", PARAM,
+         ("scene.lua", *QUIET, "--param-file", "p", "--script-memory", "1M"), 4, r"p: error: .*--script-memory",
+         files={"p": b"#" * (1 << 20) + b"\n"}),
+    usage("A9", "--param-file without a name", "--param-file", "", says="--param-file"),
+    Case("A10", "a file of parameters with a name that nobody reads", PARAM, ("scene.lua", *QUIET, "--param-file", "p"), 1,
+         r"p:1: error: unknown parameter 'm'", files={"p": "m = 3\n"}),
     *[usage("A11", "--frames " + f, "--frames", f, says="--frames") for f in ("10-1", "a-b", "1-", "-", "1.5-2")],
     Case("A11", "--frames 1-1e12", BALL, ("scene.lua", *QUIET, "--frames", "1-1000000000000"), {2, 4}, "--frames"),
     *[Case("A13", "scene named " + repr(n), None, (n, *QUIET), files={n: BALL}, writes="x.png")

@@ -10,6 +10,7 @@ for i = 1, 30 do root:add_child(gr.nh_sphere('s' .. i, {i / 9 - 2, math.sin(i), 
 gr.render(root, 'x.png', 160, 120, {0,0,5}, {0,0,-1}, {0,1,0}, 50, {0.3,0.3,0.3}, {gr.light({3,5,9}, {0.7,0.7,0.7}, {1,0,0}, 1)})
 """
 SPP = "--spp 100"
+LONG = "--spp 400"
 ERROR = "--error 0.0005"
 HEAD = "P='%s'; R=\"$P scene.lua -q -j 1\"; "
 # Stops a render in the middle, however fast the machine.
@@ -84,12 +85,13 @@ CASES = [
     another("a checkpoint of another crop", SPP + " --crop 0,0,20,20", "--crop was not set, and is 0,0,20,20"),
     another("a checkpoint of another parameter", SPP + " -D n=1", "-D n was not set, and is 1"),
     another("a checkpoint of another scene", SPP, "the scene's files are not the same", "echo >> scene.lua; "),
-    stopped("K2", "an older checkpoint that is further stays", "cp x.checkpoint y; { sleep 0.03; timeout -s TERM 0.05 $R %s; } ; cmp x.checkpoint y && " % SPP + resumed(SPP),
-            also=like_the_whole),
-    Case("K2", "a file that is no checkpoint stays", WORK, command=shell("timeout -s TERM 0.2 $R --spp 9999; grep -q mine x.checkpoint && exit 4"),
+    Case("K2", "an older checkpoint that is further stays", WORK, old=False, seconds=60, command=shell(
+        "timeout -s TERM 0.8 $R %s; cp x.checkpoint y; timeout -s TERM 0.1 $R %s; cmp x.checkpoint y && " % (LONG, LONG)
+        + resumed(LONG)), also=like_the_whole),
+    Case("K2", "a file that is no checkpoint stays", WORK, command=shell("timeout -s TERM 1 $R --spp 99999; grep -q mine x.checkpoint && exit 4"),
          code=4, says="x.checkpoint: is not a checkpoint, and is left alone", files={"x.checkpoint": "mine"}),
     Case("K2", "a scene that changed while it rendered leaves no checkpoint", WORK, old=False,
-         command=shell("timeout -s TERM 0.4 $R --spp 9999 & sleep 0.2; echo >> scene.lua; wait; test -e x.partial.png && test ! -e x.checkpoint && exit 4"), code=4,
+         command=shell("timeout -s TERM 2 $R --spp 99999 & sleep 1; echo >> scene.lua; wait; test -e x.partial.png && test ! -e x.checkpoint && exit 4"), code=4,
          says="no checkpoint: .*scene.lua: has changed"),
     Case("K2", "--resume with --time", WORK, ("scene.lua", "-q", "--time", "1", "--resume"), 2, "--resume.*--time"),
     Case("K2", "--resume with a script's time", "gr.options{time = 1}\n" + WORK, ("scene.lua", "-q", "--resume"), 2, "--resume.*--time"),

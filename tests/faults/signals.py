@@ -43,7 +43,7 @@ def saved(run):
 def while_saving(delay):
     """A finished image is saved first, which takes a sanitized program five times as long."""
     def command(project, folder):
-        size = "1100x1100" if is_sanitized(project) else "2500x2500"
+        size = "1100x1100" if is_sanitized(project) else "1800x1800"
         return sent([signal.SIGTERM], "scene.lua --spp 1 --size " + size, "100 %", delay)(project, folder)
     return command
 
@@ -82,7 +82,7 @@ CASES = [
     Case("J2", "SIGINT again while it leaves", SLOW, command=sent([signal.SIGINT, signal.SIGINT], SURE, "Threads,Interrupted"), code=130),
     stopped("J4", "SIGINT in the script", signal.SIGINT, script="while true do end", partial=False),
     stopped("J4", "SIGTERM in string.find", signal.SIGTERM, script="string.find(('a'):rep(3000), ('a-'):rep(20) .. 'b')", partial=False),
-    *[stopped("J4", "SIGTERM %g s into a mesh" % delay, signal.SIGTERM, "scene.lua --spp 1000", script=meshed_by(SHOT.replace("8, 6", "400, 300")), partial=False,
+    *[stopped("J4", "SIGTERM %g s into a mesh" % delay, signal.SIGTERM, "scene.lua --spp 1000", script=meshed_by(SHOT.replace("8, 6", "400, 300")), partial=False if delay < 0.5 else None,
               files={"m.obj": grid}, delay=delay) for delay in (0.1, 0.5, 1.0)],
     stopped("J4", "SIGINT while waiting for a FIFO to write to", signal.SIGINT, "scene.lua --spp 1 -o p", partial=False, files={"p": lambda path: os.mkfifo(path)}, delay=1.0,
             script=BALL),

@@ -62,7 +62,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"set_reflection", "ball:set_reflection(0.5)"},
         {"set_refraction", "ball:set_refraction(1.5, 0.5)"},
         {"set_fresnel", "ball:set_fresnel(true)"},
-        {"set_absorption", "ball:set_absorption{0, 1, 2}"},
+        {"set_absorption", "ball:set_absorption({0.1, 0.2, 0.3})"},
         {"light", "gr.light({0, 0, 0}, {1, 1, 1}, {1, 0, 0})"},
         {"spot_light",
          "gr.spot_light{position = {0, 0, 0}, direction = {0, 1, 0}, colour = {1, 1, 1}}"},

@@ -94,6 +94,7 @@ struct Options {
     std::optional<std::string> isa;  ///< baseline, avx2, avx512; none: the best that runs here
 
     std::map<std::string, std::string> parameters;  ///< -D name=value
+    std::vector<std::string> parameterFiles;        ///< --param-file
     bool trust = false;
     std::size_t scriptMemory = std::size_t{2} << 30;  ///< bytes
     double scriptTime = 0.0;                          ///< seconds; 0 = no limit

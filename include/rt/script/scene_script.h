@@ -16,6 +16,7 @@ namespace rt {
 struct ScriptSettings {
     std::vector<std::string> arguments;             ///< the script's `arg`
     std::map<std::string, std::string> parameters;  ///< -D name=value
+    std::vector<std::string> parameterFiles;        ///< the last that names one counts, but for -D
     int frame = 1;                                  ///< gr.frame
     double time = 0.0;                              ///< gr.time
     bool trust = false;

@@ -52,7 +52,7 @@ std::string CheckpointKeeper::open() {
     const CheckpointVerdict verdict = decodeCheckpoint(bytes, *traits_, log_);
     using Kind = CheckpointVerdict::Kind;
     if (verdict.kind == Kind::kFits) {
-        isOurs_ = true;
+        isOurs_ = goesOn_ = true;
         return "";
     }
     if (verdict.kind == Kind::kOther) {

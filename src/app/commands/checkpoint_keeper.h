@@ -35,6 +35,8 @@ class CheckpointKeeper {
     /// There is an image: the checkpoint goes. Returns as `open` does.
     std::string finish();
 
+    /// Whether the render goes on from what the file held.
+    bool goesOn() const { return goesOn_; }
     /// Whether the file holds what the render has come to.
     bool isSaved() const { return saved_; }
     /// Why not, where it should.
@@ -54,6 +56,7 @@ class CheckpointKeeper {
     std::optional<std::vector<Trait>> traits_;
     RenderLog log_;
     bool isOurs_ = false;  ///< the file is one of this picture's checkpoints, or a useless one
+    bool goesOn_ = false;
     bool saved_ = false;
     std::string problem_;
 };

@@ -10,6 +10,7 @@
 #include "rt/core/error.h"
 #include "rt/output/atomic_file.h"
 #include "rt/output/image_writer.h"
+#include "rt/script/parameter_file.h"
 #include "scene_hash.h"
 #include "scene_renderer.h"
 #include "scene_report.h"
@@ -237,8 +238,7 @@ class Batch {
 
     /// Where the picture is a file, the same in every run, and nobody looks on.
     void keepCheckpoint(const ScriptResult& script, const std::string& file,
-                        const PreparedScene& prepared,
-                        std::function<std::vector<Trait>()> traits) {
+                        const PreparedScene& prepared, std::function<std::vector<Trait>()> traits) {
         checkpoint_.reset();
         const bool isAsked = options_.resume != Resume::kNo;
         if (isAsked && prepared.options.time) {
@@ -253,6 +253,7 @@ class Batch {
         if (!isAsked && (!isNamed || prepared.options.time || isLookedAt)) return;
         checkpoint_.emplace(options_, file, script.filesRead, scriptBegan_, std::move(traits));
         noteIfAny(checkpoint_->open());
+        if (checkpoint_->goesOn()) tell("Going on from " + checkpoint_->file());
     }
 
     bool isStale() const {
@@ -311,12 +312,7 @@ class Batch {
     }
 
     static void printParameters(const ScriptResult& script) {
-        for (const ScriptParameter& parameter : script.parameters) {
-            std::printf("%s = %s%s%s\n", printable(parameter.name, 200).c_str(),
-                        printable(parameter.value, 200).c_str(),
-                        parameter.doc.empty() ? "" : "  -- ",
-                        printable(parameter.doc, 400).c_str());
-        }
+        std::fputs(parameterFileText(script.parameters).c_str(), stdout);
     }
 
     void report(const Diagnostics& diagnostics) {

@@ -23,6 +23,7 @@ ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
     ScriptSettings settings;
     settings.arguments = options.scriptArguments;
     settings.parameters = options.parameters;
+    settings.parameterFiles = options.parameterFiles;
     settings.frame = static_cast<int>(frame);
     if (options.frames && options.frames->last > options.frames->first) {
         settings.time = static_cast<double>(frame - options.frames->first) /
