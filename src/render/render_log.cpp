@@ -57,6 +57,16 @@ void RenderLog::add(std::size_t part, Part what) {
     steps_[next_ - 1].parts.insert_or_assign(part, std::move(what));
 }
 
+void RenderLog::gather() {
+    const std::lock_guard lock(mutex_);
+    for (Step& step : steps_) {
+        if (!step.gather) continue;
+        for (auto& [number, part] : step.parts) {
+            if (part.values.empty()) part.values = step.gather(number);
+        }
+    }
+}
+
 void RenderLog::endRender() {
     const std::lock_guard lock(mutex_);
     for (Step& step : steps_) {

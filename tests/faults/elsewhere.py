@@ -19,6 +19,5 @@ ABSENT = {
     "H11": "plugins that change the floating-point environment: the only one loaded is OpenImageIO",
     "H13": "--time within a pixel, and a heat map",
     "I17": "file systems without renames: one file that cannot be renamed over is overwritten in place",
-    "J6": "a snapshot on SIGUSR1",
     "K12": "sending images to tev: --preview shows what it would",
 }

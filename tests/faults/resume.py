@@ -59,6 +59,12 @@ def another(name, options, says, before=""):
     return stopped("K2", name, before + "$R %s --resume" % options, 1, r"x\.checkpoint: error: .*another picture: " + says, also=kept)
 
 
+def watched(name, quality):
+    """Two snapshots, and an image that knows nothing of them."""
+    return Case("J6", name, WORK, old=False, seconds=60, also=like_the_whole, writes="x.partial.png", command=shell(
+        "$R %s -o whole.png; $R %s & for t in 0.3 0.2; do sleep $t; kill -USR1 $!; done; wait $! && test -e x.partial.png" % (quality, quality)))
+
+
 def killed(name, quality):
     """kill -9 again and again, and a last run that ends: the delays grow, so that some are late."""
     kills = "for t in 0.1 0.13 0.17 0.2 0.25 0.3; do timeout -s KILL $t $R %s --resume --checkpoint 0.02; done; "
@@ -69,6 +75,10 @@ CASES = [
     stopped("K3 J1", "going on, with --spp", resumed(SPP), says="--resume goes on from x.checkpoint", also=like_the_whole),
     stopped("K3 J1", "going on, with --error", resumed(ERROR), quality=ERROR, says="--resume goes on from x.checkpoint", also=like_the_whole),
     stopped("K3", "going on with other threads and instruction sets", resumed(ERROR, "-j 3 --isa baseline"), quality=ERROR, also=like_the_whole),
+    watched("snapshots, with --spp", LONG),
+    watched("snapshots, with --error", ERROR),
+    Case("J6", "a signal for a snapshot where there is none", WORK, command=shell(
+        "$R --time 1 & sleep 0.5; kill -USR1 $!; wait $!"), writes="x.png"),
     killed("kill -9 six times, with --spp", SPP),
     killed("kill -9 six times, with --error", ERROR),
     *damaged("K1", "a checkpoint cut short", "truncate -s 9999 x.checkpoint; ", "is damaged"),

@@ -145,6 +145,27 @@ TEST_CASE("what a log holds is not traced again") {
     CHECK(picture.at(16, 0) == renderScript(kScene, settings).at(16, 0));
 }
 
+TEST_CASE("what was gathered outlives its render, as a file would have it") {
+    for (const bool gathers : {true, false}) {
+        PictureSettings settings;
+        settings.options.spp = 3;
+        RenderLog log;
+        std::atomic<bool> cancel{false};
+        std::vector<std::uint8_t> saved;
+        settings.adjust = [&](RenderJob& job) {
+            job.cancel = &cancel;
+            job.log = &log;
+            job.onProgress = [&](double share) { cancel = share > 0.5; };
+            job.onCheckpoint = [&] {
+                saved = bytesOf(log);
+                if (gathers) log.gather();
+            };
+        };
+        renderScript(kScene, settings);
+        CHECK((bytesOf(log) == saved) == gathers);
+    }
+}
+
 TEST_CASE("a log that is cut short, at any byte, is damaged") {
     PictureSettings settings;
     settings.options.spp = 1;

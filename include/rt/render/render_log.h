@@ -37,6 +37,8 @@ class RenderLog {
     /// Of this step, or null. It stays until it is added again.
     const Part* find(std::size_t part) const;
     void add(std::size_t part, Part what);
+    /// Gathers the parts that were left where they are: they outlive the render.
+    void gather();
     /// Nothing can be gathered any more: parts that were left where they are are forgotten.
     void endRender();
 

@@ -32,6 +32,9 @@ class CheckpointKeeper {
     /// Has the render told of what it needs.
     void listen(RenderListener& listener);
 
+    /// What the render has come to is kept, and the next one goes on from it.
+    void pause() { log_.gather(); }
+
     /// There is an image: the checkpoint goes. Returns as `open` does.
     std::string finish();
 

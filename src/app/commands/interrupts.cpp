@@ -11,6 +11,8 @@ namespace {
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<bool> deferring{false};
+std::atomic<bool> pausing{false};
+std::atomic<bool> snapshotAsked{false};
 std::atomic<bool> signalled{false};
 std::atomic<bool> stopFlag{false};
 std::atomic<int> firstSignal{0};
@@ -21,6 +23,12 @@ extern "C" void onSignal(int signal) {
         _exit(128 + signal);
     }
     firstSignal.store(signal);
+    stopFlag.store(true);
+}
+
+extern "C" void onSnapshotSignal(int) {
+    if (!pausing.load()) return;
+    snapshotAsked.store(true);
     stopFlag.store(true);
 }
 
@@ -36,15 +44,19 @@ void Interrupts::handle() {
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     for (const int signal : kSignals) sigaction(signal, &action, nullptr);
+    action.sa_handler = &onSnapshotSignal;
+    sigaction(SIGUSR1, &action, nullptr);
     signal(SIGPIPE, &onBrokenPipe);
 }
 
-Interrupts::Deferred::Deferred() {
+Interrupts::Deferred::Deferred(bool pauses) {
     deferring.store(true);
+    pausing.store(pauses);
 }
 
 /// What has been asked for stays deferred until the image is saved.
 Interrupts::Deferred::~Deferred() {
+    pausing.store(false);
     deferring.store(signalled.load());
 }
 
@@ -59,6 +71,16 @@ void Interrupts::stopRender() {
 void Interrupts::allowRender() {
     stopFlag.store(false);
     if (firstSignal.load() != 0) stopFlag.store(true);
+}
+
+bool Interrupts::isSnapshotAsked() {
+    return snapshotAsked.load();
+}
+
+bool Interrupts::takeSnapshotRequest() {
+    if (!snapshotAsked.exchange(false)) return false;
+    allowRender();
+    return !stopFlag.load();
 }
 
 int Interrupts::exitCode() {

@@ -7,7 +7,8 @@ namespace rt {
 
 /// From handle() until the process has ended, SIGINT, SIGTERM and SIGHUP leave at once with 128 +
 /// their number, unless there is an image to save: then the first only sets a flag, and the second
-/// leaves. Nobody reading the messages any more costs no image.
+/// leaves. SIGUSR1 asks for a snapshot of that image. Nobody reading the messages any more costs no
+/// image.
 class Interrupts {
   public:
     static void handle();
@@ -15,7 +16,8 @@ class Interrupts {
     /// While one lives, there is an image to save.
     class Deferred {
       public:
-        Deferred();
+        /// With `pauses`, the render can be gone on with after a snapshot.
+        explicit Deferred(bool pauses);
         ~Deferred();
         Deferred(const Deferred&) = delete;
         Deferred& operator=(const Deferred&) = delete;
@@ -27,6 +29,9 @@ class Interrupts {
     static void stopRender();
     /// Lets the next one run, unless there was a signal.
     static void allowRender();
+    static bool isSnapshotAsked();
+    /// Whether the render was stopped for a snapshot, and for nothing else; then it may go on.
+    static bool takeSnapshotRequest();
     /// 128 + the signal's number, or 0.
     static int exitCode();
 };

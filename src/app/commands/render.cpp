@@ -214,8 +214,15 @@ class Batch {
         });
 
         for (RunFollower* follower : followers_) follower->startsImage(output, prepared);
-        std::optional<Interrupts::Deferred> deferred(std::in_place);
+        std::optional<Interrupts::Deferred> deferred(std::in_place, checkpoint_.has_value());
+        progress_.startImage();
         Picture picture = rendered(desc, index, prepared, diagnostics);
+        while (Interrupts::takeSnapshotRequest() && picture.cancelled) {
+            saveSnapshot(picture, partialName(output));
+            const double before = picture.stats.renderSeconds;
+            picture = rendered(desc, index, prepared, diagnostics);
+            picture.stats.renderSeconds += before;
+        }
         if (picture.cancelled && isStale() && Interrupts::exitCode() == 0) throw Left{};
         // Nobody may be reading a pipe, while a file takes a moment and must not be lost.
         if (isStream(output)) deferred.reset();
@@ -263,12 +270,17 @@ class Batch {
 
     Picture rendered(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                      Diagnostics& diagnostics) {
-        progress_.startImage();
         RenderListener listener;
         listener.onProgress = [this](double share) { progress_.update(share); };
         listener.onEstimate = [this](double error) { progress_.estimate(error); };
         for (RunFollower* follower : followers_) follower->listen(listener);
-        if (checkpoint_) checkpoint_->listen(listener);
+        if (checkpoint_) {
+            checkpoint_->listen(listener);
+            listener.onCheckpoint = [this, save = std::move(listener.onCheckpoint)] {
+                save();
+                if (Interrupts::isSnapshotAsked()) checkpoint_->pause();
+            };
+        }
         return renderer_.render(desc, index, prepared, listener, diagnostics);
     }
 
@@ -283,6 +295,15 @@ class Batch {
         } else {
             progress_.finish({output, picture.stats.renderSeconds, picture.stats.errorEstimate});
         }
+    }
+
+    void saveSnapshot(const Picture& picture, const std::string& name) {
+        if (picture.part) {
+            tell("No snapshot: a shard that is not whole is not written");
+            return;
+        }
+        noteIfAny(writeImage(name, picture.image, picture.settings, metadataOf(picture.stats)));
+        tell("What is rendered so far is in " + name);
     }
 
     void interrupted(const std::string& what) {
