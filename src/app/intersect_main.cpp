@@ -72,6 +72,23 @@ Shape readRound(Numbers& in) {
     return Solid(anchor, first, in.next());
 }
 
+Shape readFrustum(Numbers& in) {
+    const Vec3 base = in.vec();
+    const double height = in.next();
+    const double baseRadius = in.next();
+    return Frustum(base, height, baseRadius, in.next());
+}
+
+Shape readHemisphere(Numbers& in) {
+    const Vec3 centre = in.vec();
+    return Hemisphere(centre, in.next());
+}
+
+Shape readRectangle(Numbers& in) {
+    const double width = in.next();
+    return Rectangle(width, in.next());
+}
+
 Shape meshShape(TriangleMesh mesh) {
     auto shape = std::make_shared<MeshShape>();
     shape->mesh = std::move(mesh);
@@ -113,6 +130,11 @@ constexpr Kind kKinds[] = {
     {"cylinder", readRound<Cylinder>, true},
     {"cone", readRound<Cone>, true},
     {"torus", readRound<Torus>, true},
+    {"frustum", readFrustum, true},
+    {"hemisphere", readHemisphere, true},
+    {"disc", [](Numbers& in) -> Shape { return Disc(in.next()); }, true},
+    {"rectangle", readRectangle, true},
+    {"plane", [](Numbers&) -> Shape { return Plane(); }, true},
     {"triangle", readTriangle, true},
     {"fan", readFan, false},
 };

@@ -43,6 +43,8 @@ PaddedBox worldBox(const Instance& instance, const Bounds& local, const Bounds& 
     return {world, largest(instance.transform.boundsToWorld({-reach, reach}))};
 }
 
+constexpr Bounds kEverywhere{Vec3(-kInfinity), Vec3(kInfinity)};
+
 /// Builds one RenderScene, step by step.
 class Compiler {
   public:
@@ -87,10 +89,9 @@ class Compiler {
         instance.objectScale = instance.transform.similarityToObject();
         instance.shape = shapeOf(node.geometry);
         if (instance.shape == kNone) return;
-        if (const auto* mesh =
-                std::get_if<std::shared_ptr<const MeshShape>>(&out_.shapes[instance.shape])) {
-            instance.closed = (*mesh)->mesh.closed;
-        }
+        const SolidKind kind = kindOf(out_.shapes[instance.shape]);
+        instance.closed = kind.closed;
+        if (!kind.bounded) out_.unbounded.push_back(static_cast<Index>(out_.instances.size()));
         instance.look = lookOf(placed, instance.closed);
         instance.order = placed.node;
         out_.instances.push_back(instance);
@@ -185,7 +186,7 @@ class Compiler {
             diagnostics_.warn("unused-absorption", node.where,
                               "node '" + printable(node.name, 80) + "' absorbs nothing: " +
                                   (closed ? "no light shines through it without set_refraction"
-                                          : "it is an open mesh, which has no inside"));
+                                          : "it is a sheet or an open mesh, which has no inside"));
             return;
         }
         look.absorption = absorption;
@@ -253,7 +254,9 @@ class Compiler {
         boxes.reserve(out_.instances.size());
         for (Instance& instance : out_.instances) {
             const Bounds local = boundsOf(out_.shapes[instance.shape]);
-            boxes.push_back(instance.transform.boundsToWorld(local));
+            const bool bounded = kindOf(out_.shapes[instance.shape]).bounded;
+            // The tree leaves out what has no finite box.
+            boxes.push_back(bounded ? instance.transform.boundsToWorld(local) : kEverywhere);
             instance.boxed = !(instance.transform.condition() > kBoxedCondition);
             const double thickness = thicknessOf(out_, instance);
             if (thickness > 0.0) out_.thinnest = std::min(out_.thinnest, thickness);

@@ -32,8 +32,10 @@ double distanceTo(const Bounds& box, const Vec3& p) {
 }
 
 /// The greatest irradiance that a light gives on anything, its weight included.
-double lightBound(const Light& light, const Bounds& objects) {
-    const double toCentre = distanceTo(objects, light.position);
+double lightBound(const Light& light, const RenderScene& scene) {
+    // What has no bounds may be anywhere.
+    const double toCentre =
+        scene.unbounded.empty() ? distanceTo(scene.tree.bounds(), light.position) : 0.0;
     const bool isRectangle = light.kind == LightKind::kRectangle;
     const double d =
         isRectangle ? std::max(toCentre - light.radius, 0.0) : std::max(light.radius, toCentre);
@@ -55,9 +57,8 @@ double radianceBound(const RenderScene& scene) {
         specular = std::max(specular, brightest(look.material.specular));
     }
     double own = diffuse * brightest(scene.ambient);
-    const Bounds objects = scene.tree.bounds();
     for (const Light& light : scene.lights) {
-        const double bright = lightBound(light, objects);
+        const double bright = lightBound(light, scene);
         const double local = diffuse * std::max(1.0, light.brightness) + specular;
         if (local > 0.0) own += bright * local;
     }

@@ -22,12 +22,20 @@ struct FromAxis {
     Vec3 outwards;
 };
 
-}  // namespace
-
-Vec3 normalChange(const Sphere&, const PrimitiveHit& hit, const Vec3& along) {
+Vec3 onBall(const PrimitiveHit& hit, const Vec3& along) {
     const double radius = glm::length(hit.local);
     const Vec3 normal = hit.local / radius;
     return (along - glm::dot(along, normal) * normal) / radius;
+}
+
+}  // namespace
+
+Vec3 normalChange(const Sphere&, const PrimitiveHit& hit, const Vec3& along) {
+    return onBall(hit, along);
+}
+
+Vec3 normalChange(const Hemisphere&, const PrimitiveHit& hit, const Vec3& along) {
+    return hit.part == 0 ? onBall(hit, along) : Vec3(0.0);
 }
 
 Vec3 normalChange(const Box&, const PrimitiveHit&, const Vec3&) {
@@ -45,6 +53,12 @@ Vec3 normalChange(const Cone&, const PrimitiveHit& hit, const Vec3& along) {
     const FromAxis place(hit.local, 1);
     const double radial = hit.local.y / glm::length(hit.local);
     return radial * aroundAxis(along, place.outwards, 1) / place.distance;
+}
+
+Vec3 normalChange(const Frustum& frustum, const PrimitiveHit& hit, const Vec3& along) {
+    if (hit.part != 0) return Vec3(0.0);
+    const FromAxis place(hit.local, 1);
+    return frustum.normalRadial() * aroundAxis(along, place.outwards, 1) / place.distance;
 }
 
 Vec3 normalChange(const Torus& torus, const PrimitiveHit& hit, const Vec3& along) {

@@ -168,22 +168,46 @@ void markLeaves(const RenderScene& scene, const Instance& instance, const Triang
     }
 }
 
-/// Marks the pixels about a cone's apex across which it is as narrow.
-void markTip(const Camera& camera, const Instance& instance, const Cone& cone, const Tile& area,
-             std::vector<bool>& fine) {
+/// The narrow end of a cone or a frustum about y: what is `height` away from it has the other
+/// radius.
+struct Tip {
+    Vec3 end;
+    double height;  ///< below 0 where the wide end is below
+    double narrow;
+    double wide;
+};
+
+Tip tipOf(const Cone& cone) {
     const Bounds whole = cone.bounds();
     const Vec3 middle = 0.5 * (whole.min + whole.max);
-    const Vec3 apex(middle.x, whole.min.y, middle.z);
+    return {{middle.x, whole.min.y, middle.z},
+            whole.max.y - whole.min.y,
+            0.0,
+            0.5 * (whole.max.x - whole.min.x)};
+}
+
+Tip tipOf(const Frustum& frustum) {
+    if (frustum.baseRadius() < frustum.topRadius()) {
+        return {frustum.base(), frustum.height(), frustum.baseRadius(), frustum.topRadius()};
+    }
+    return {frustum.base() + Vec3(0.0, frustum.height(), 0.0), -frustum.height(),
+            frustum.topRadius(), frustum.baseRadius()};
+}
+
+/// Marks the pixels about a narrow end across which it is as narrow.
+void markTip(const Camera& camera, const Instance& instance, const Tip& tip, const Tile& area,
+             std::vector<bool>& fine) {
     Vec2 image;
-    if (!project(camera, instance, apex, image)) return;
-    const double depth = camera.project(instance.transform.toWorld().point(apex)).depth;
+    if (!project(camera, instance, tip.end, image)) return;
+    const double depth = camera.project(instance.transform.toWorld().point(tip.end)).depth;
     const double pixel = camera.pixelSize() * depth * instance.objectScale;
-    const double share = std::min(1.0, kNarrowPixels * pixel / (whole.max.x - whole.min.x));
-    const Vec3 half = 0.5 * share * (whole.max - whole.min);
-    const Bounds tip{{middle.x - half.x, whole.min.y, middle.z - half.z},
-                     {middle.x + half.x, whole.min.y + 2.0 * half.y, middle.z + half.z}};
+    const double radius = std::min(0.5 * kNarrowPixels * pixel, tip.wide);
+    if (radius < tip.narrow) return;
+    const double along = tip.height * (radius - tip.narrow) / (tip.wide - tip.narrow);
+    Bounds box{tip.end - Vec3(radius, 0.0, radius), tip.end + Vec3(radius, 0.0, radius)};
+    box.unite(tip.end + Vec3(0.0, along, 0.0));
     std::array<Vec2, 8> points;
-    if (project(camera, instance, tip, points)) mark(points, narrowest(points), area, fine);
+    if (project(camera, instance, box, points)) mark(points, narrowest(points), area, fine);
 }
 
 /// Marks the pixels about the corners of an outline, which may lie between the corners of pixels.
@@ -210,7 +234,9 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
         const Shape& shape = scene.shapes[instance.shape];
         markSharpPoints(scene, instance, area, sharp, fine);
         if (const auto* cone = std::get_if<Cone>(&shape)) {
-            markTip(scene.camera, instance, *cone, area, fine);
+            markTip(scene.camera, instance, tipOf(*cone), area, fine);
+        } else if (const auto* frustum = std::get_if<Frustum>(&shape)) {
+            markTip(scene.camera, instance, tipOf(*frustum), area, fine);
         }
         std::array<Vec2, 8> points;
         if (!project(scene.camera, instance, boundsOf(shape), points)) continue;

@@ -16,12 +16,14 @@ struct Rim {
     double radius;
 };
 
-/// The points of a rim whose tangents meet (x, z), relative to its centre; none from inside.
-void addTangentPoints(const Rim& rim, double x, double z, std::vector<Vec3>& points) {
+/// The points of a rim at which planes through the eye touch the surface of revolution that it is
+/// part of: at (x, z) from the rim's centre the eye is as high as where the straight side would
+/// have the radius `atEye`. None from inside.
+void addTangentPoints(const Rim& rim, double x, double z, double atEye, std::vector<Vec3>& points) {
     const double distance = std::sqrt(x * x + z * z);
-    if (!(distance > rim.radius)) return;
-    // The radius to a tangent point makes this angle with the way to where the tangents meet.
-    const double cosine = rim.radius / distance;
+    if (!(distance > std::fabs(atEye))) return;
+    // n . (eye - p) = 0 with n = (cos a, -slope, sin a).
+    const double cosine = atEye / distance;
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const Vec3 towards(x / distance, 0.0, z / distance);
     const Vec3 across(-towards.z, 0.0, towards.x);
@@ -36,6 +38,15 @@ struct Adder {
 
     void operator()(const Sphere&) const {}
     void operator()(const Torus&) const {}
+    void operator()(const Disc&) const {}
+    void operator()(const Plane&) const {}
+
+    void operator()(const Rectangle& rectangle) const {
+        const Bounds b = rectangle.bounds();
+        for (const double x : {b.min.x, b.max.x}) {
+            for (const double z : {b.min.z, b.max.z}) points.push_back({x, 0.0, z});
+        }
+    }
 
     void operator()(const Box& box) const {
         const Bounds b = box.bounds();
@@ -51,20 +62,35 @@ struct Adder {
         const double radius = 0.5 * (b.max.x - b.min.x);
         for (const double y : {b.min.y, b.max.y}) {
             const Rim rim{{middle.x, y, middle.z}, radius};
-            addTangentPoints(rim, eye.x - middle.x, eye.z - middle.z, points);
+            addTangentPoints(rim, eye.x - middle.x, eye.z - middle.z, radius, points);
         }
+    }
+
+    void operator()(const Frustum& frustum) const {
+        const Vec3& c = frustum.base();
+        const double slope = (frustum.topRadius() - frustum.baseRadius()) / frustum.height();
+        const double atEye = frustum.baseRadius() + slope * (eye.y - c.y);
+        for (const bool top : {false, true}) {
+            const Rim rim{c + Vec3(0.0, top ? frustum.height() : 0.0, 0.0),
+                          top ? frustum.topRadius() : frustum.baseRadius()};
+            addTangentPoints(rim, eye.x - c.x, eye.z - c.z, atEye, points);
+        }
+    }
+
+    void operator()(const Hemisphere& half) const {
+        const Bounds b = half.bounds();
+        const Vec3 middle = 0.5 * (b.min + b.max);
+        const Rim rim{{middle.x, b.min.y, middle.z}, 0.5 * (b.max.x - b.min.x)};
+        addTangentPoints(rim, eye.x - middle.x, eye.z - middle.z, rim.radius, points);
     }
 
     void operator()(const Cone& cone) const {
         const Bounds b = cone.bounds();
         const Vec3 middle = 0.5 * (b.min + b.max);
         const Vec3 apex(middle.x, b.min.y, middle.z);
-        const double above = eye.y - apex.y;
-        if (above == 0.0) return;
-        // Planes that touch the side pass through the line from the eye to the apex.
-        const double stretch = (b.max.y - b.min.y) / above;
         const Rim rim{{middle.x, b.max.y, middle.z}, 0.5 * (b.max.x - b.min.x)};
-        addTangentPoints(rim, (eye.x - apex.x) * stretch, (eye.z - apex.z) * stretch, points);
+        const double atEye = rim.radius * (eye.y - apex.y) / (b.max.y - b.min.y);
+        addTangentPoints(rim, eye.x - apex.x, eye.z - apex.z, atEye, points);
     }
 
     void operator()(const std::shared_ptr<const MeshShape>& shape) const {

@@ -1,6 +1,7 @@
 #include "call_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace rt {
@@ -155,6 +156,18 @@ std::string usageText(const CallRow& row, const CallForm& form) {
         if (form.named) text += "=";
     }
     return text + closing;
+}
+
+std::optional<Vec3> unitOf(const Vec3& v) {
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    if (!(largest > 0.0)) return std::nullopt;
+    return glm::normalize(v / largest);
+}
+
+Vec3 unitArgument(Call& call, std::size_t i, const char* name) {
+    const std::optional<Vec3> unit = unitOf(call.tuple(i));
+    if (!unit) call.scene.fail(std::string(name) + " must not be zero");
+    return *unit;
 }
 
 std::string didYouMean(const std::string& word, const std::vector<std::string>& known) {

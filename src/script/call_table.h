@@ -130,6 +130,11 @@ std::string didYouMean(const std::string& word, const std::vector<std::string>& 
 /// Checks the arguments on the stack against the row and carries the call out.
 CallResult runCall(const CallRow& row, const Arguments& arguments, SceneBuilder& builder);
 
+/// A vector at length 1; nothing for zero.
+std::optional<Vec3> unitOf(const Vec3& v);
+/// Argument i of this name at length 1; refuses zero.
+Vec3 unitArgument(Call& call, std::size_t i, const char* name);
+
 // The rows by concept; callTable is all of them.
 std::vector<CallRow> primitiveCalls();
 std::vector<CallRow> meshCalls();

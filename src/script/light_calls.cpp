@@ -1,8 +1,5 @@
 #include "call_table.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rt {
 
 namespace {
@@ -48,14 +45,6 @@ CallResult scalarLight(Call& call) {
     return addLight(call, ballLight(triple(0), color, falloff, call.number(9), call.number(10)));
 }
 
-/// Of length 1; refuses one of length 0.
-Vec3 unit(Call& call, std::size_t i, const char* name) {
-    const Vec3& v = call.tuple(i);
-    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    if (!(largest > 0.0)) call.scene.fail(std::string(name) + " must not be zero");
-    return glm::normalize(v / largest);
-}
-
 Vec3 falloffOr(Call& call, std::size_t i) {
     return call.given(i) ? call.tuple(i) : Vec3(1.0, 0.0, 0.0);
 }
@@ -70,18 +59,18 @@ CallResult spot(Call& call) {
         call.scene.fail("inner must be <= outer (got inner " + numberText(inner) + ", outer " +
                         numberText(outer) + ")");
     }
-    return addLight(call, spotLight(ball, unit(call, 1, "direction"), inner, outer));
+    return addLight(call, spotLight(ball, unitArgument(call, 1, "direction"), inner, outer));
 }
 
 CallResult sun(Call& call) {
-    return addLight(
-        call, sunLight(unit(call, 0, "direction"), call.tuple(1), call.number(2), call.number(3)));
+    return addLight(call, sunLight(unitArgument(call, 0, "direction"), call.tuple(1),
+                                   call.number(2), call.number(3)));
 }
 
 CallResult rectangle(Call& call) {
     const Light point =
         ballLight(Vec3(0.0), call.tuple(3), falloffOr(call, 4), 0.0, call.number(5));
-    for (const std::size_t side : {1, 2}) unit(call, side, side == 1 ? "u" : "v");
+    for (const std::size_t side : {1, 2}) unitArgument(call, side, side == 1 ? "u" : "v");
     return addLight(call, rectangleLight(point, call.tuple(0), call.tuple(1), call.tuple(2)));
 }
 

@@ -56,6 +56,69 @@ CallResult placedTorus(Call& call) {
     return addPrimitive(call, Torus(call.tuple(1), call.number(2), call.number(3)));
 }
 
+CallResult hemisphere(Call& call) {
+    return addPrimitive(call, Hemisphere(Vec3(0.0), 1.0));
+}
+
+CallResult disc(Call& call) {
+    return addPrimitive(call, Disc(1.0));
+}
+
+CallResult square(Call& call) {
+    return addPrimitive(call, Rectangle(1.0, 1.0));
+}
+
+CallResult plane(Call& call) {
+    return addPrimitive(call, Plane());
+}
+
+CallResult placedHemisphere(Call& call) {
+    return addPrimitive(call, Hemisphere(call.tuple(1), call.number(2)));
+}
+
+CallResult placedFrustum(Call& call) {
+    const double height = call.number(2);
+    const double base = call.number(3);
+    const double top = call.number(4);
+    if (base == top) return addPrimitive(call, Cylinder(call.tuple(1), height, base));
+    return addPrimitive(call, Frustum(call.tuple(1), height, base, top));
+}
+
+/// What is flat lies in y = 0, and is brought to its place by the node's own transform.
+CallResult addFlat(Call& call, GeometryShape shape, const Vec3& origin, const Vec3& x,
+                   const Vec3& normal, const Vec3& z) {
+    const ObjectRef node =
+        call.scene.addNode(call.text(0), call.scene.addGeometry(std::move(shape)));
+    call.scene.edit(node.index).transform = {Mat3(x, normal, z), origin};
+    return node;
+}
+
+/// A disc or a plane about a point; images stand upright on it.
+CallResult addFacing(Call& call, GeometryShape shape) {
+    const Vec3 normal = unitArgument(call, 2, "normal");
+    const Vec3 level = unitOf(Vec3(normal.z, 0.0, -normal.x)).value_or(Vec3(1.0, 0.0, 0.0));
+    return addFlat(call, std::move(shape), call.tuple(1), level, normal, glm::cross(level, normal));
+}
+
+CallResult placedDisc(Call& call) {
+    return addFacing(call, Disc(call.number(3)));
+}
+
+CallResult placedPlane(Call& call) {
+    return addFacing(call, Plane());
+}
+
+CallResult placedQuad(Call& call) {
+    const Vec3& corner = call.tuple(1);
+    const Vec3& u = call.tuple(2);
+    const Vec3& v = call.tuple(3);
+    const Vec3 x = unitArgument(call, 2, "u");
+    const Vec3 up = unitArgument(call, 3, "v");
+    const std::optional<Vec3> normal = unitOf(glm::cross(x, up));
+    if (!normal) call.scene.fail("u and v must not be parallel");
+    return addFlat(call, Rectangle(glm::dot(u, x), glm::dot(v, up)), corner + v, x, *normal, -up);
+}
+
 bool sizeIsTable(const Arguments& arguments) {
     return arguments.isTable(Call::slot(2));
 }
@@ -85,6 +148,37 @@ std::vector<CallRow> unitPrimitives() {
              1.0},
             {"r", Kind::kNumber, "Radius of the tube.", kPositive, true, 0.25}},
            torus}}},
+        {"hemisphere",
+         "The upper half of the ball of radius 1 about the origin, closed below.",
+         {{{kName}, hemisphere}}},
+        {"disc",
+         "The disc of radius 1 about the origin in the plane y = 0, facing +y.",
+         {{{kName}, disc}}},
+        {"quad", "The square from (0,0,0) to (1,0,1), facing +y.", {{{kName}, square}}},
+        {"plane", "The whole plane y = 0, facing +y.", {{{kName}, plane}}},
+    };
+}
+
+std::vector<CallRow> placedSheets() {
+    return {
+        {"nh_disc",
+         "A disc.",
+         {{{kName, point("centre", "Its centre."),
+            point("normal", "Where it faces, of any length but zero."),
+            length("radius", "Its radius.")},
+           placedDisc}}},
+        {"nh_quad",
+         "A rectangle, or any parallelogram, that faces where u x v points; images are upright on "
+         "it, u to their right and v to their top.",
+         {{{kName, point("corner", "One of its corners."),
+            point("u", "The side from there to the next corner."),
+            point("v", "The other side from there.")},
+           placedQuad}}},
+        {"nh_plane",
+         "A whole plane.",
+         {{{kName, point("p", "A point of it."),
+            point("normal", "Where it faces, of any length but zero.")},
+           placedPlane}}},
     };
 }
 
@@ -124,6 +218,18 @@ std::vector<CallRow> primitiveCalls() {
                        length("R", "Radius of the circle in the tube's middle."),
                        length("r", "Radius of the tube.")},
                       placedTorus}}});
+    rows.push_back(
+        {"nh_hemisphere",
+         "The upper half of a ball, closed below.",
+         {{{kName, point("centre", "The centre of the ball."), length("radius", "Its radius.")},
+           placedHemisphere}}});
+    rows.push_back({"nh_frustum",
+                    "A cone without its tip, capped, about a line parallel to the y axis.",
+                    {{{kName, point("base", "The centre of its lower cap."),
+                       length("h", "Its height."), length("r0", "Its radius at the lower cap."),
+                       length("r1", "Its radius at the upper cap.")},
+                      placedFrustum}}});
+    for (CallRow& row : placedSheets()) rows.push_back(std::move(row));
     for (CallRow& row : rows) row.returns = "gr.node";
     return rows;
 }

@@ -13,24 +13,55 @@ namespace {
 
 using MeshPointer = std::shared_ptr<const MeshShape>;
 
+/// use(what alternative I of a shape holds); there may be fewer.
+template <std::size_t I, class Use>
+[[gnu::always_inline]] inline auto useOf(const Shape& shape, const Use& use) {
+    if constexpr (I < std::variant_size_v<Shape>) {
+        return use(*std::get_if<I>(&shape));
+    } else {
+        __builtin_unreachable();
+        return use(*std::get_if<0>(&shape));
+    }
+}
+
 /// Calls use(solid) or use(mesh pointer) with what the shape is. std::visit would go through a
 /// table of functions, none of which is inlined.
 template <class Use>
 [[gnu::always_inline]] inline auto withShape(const Shape& shape, const Use& use) {
-    static_assert(std::variant_size_v<Shape> == 6);
+    static_assert(std::variant_size_v<Shape> <= 16);
     switch (shape.index()) {
         case 0:
-            return use(*std::get_if<0>(&shape));
+            return useOf<0>(shape, use);
         case 1:
-            return use(*std::get_if<1>(&shape));
+            return useOf<1>(shape, use);
         case 2:
-            return use(*std::get_if<2>(&shape));
+            return useOf<2>(shape, use);
         case 3:
-            return use(*std::get_if<3>(&shape));
+            return useOf<3>(shape, use);
         case 4:
-            return use(*std::get_if<4>(&shape));
+            return useOf<4>(shape, use);
+        case 5:
+            return useOf<5>(shape, use);
+        case 6:
+            return useOf<6>(shape, use);
+        case 7:
+            return useOf<7>(shape, use);
+        case 8:
+            return useOf<8>(shape, use);
+        case 9:
+            return useOf<9>(shape, use);
+        case 10:
+            return useOf<10>(shape, use);
+        case 11:
+            return useOf<11>(shape, use);
+        case 12:
+            return useOf<12>(shape, use);
+        case 13:
+            return useOf<13>(shape, use);
+        case 14:
+            return useOf<14>(shape, use);
         default:
-            return use(*std::get_if<5>(&shape));
+            return useOf<15>(shape, use);
     }
 }
 
@@ -137,6 +168,7 @@ template <class Test>
 template <class Test>
 [[gnu::always_inline]] inline void visitNearFirst(const RenderScene& scene, const Ray& ray,
                                                   Interval range, const Test& test) {
+    for (const Index item : scene.unbounded) range.max = std::min(range.max, test(item, range));
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
@@ -161,6 +193,9 @@ template <class Test>
 template <class Test>
 [[gnu::always_inline]] inline bool visitUntil(const RenderScene& scene, const Ray& ray,
                                               Interval range, const Test& test) {
+    for (const Index item : scene.unbounded) {
+        if (test(item)) return true;
+    }
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {

@@ -50,7 +50,7 @@ double distanceToHull(double along, double aside, double length, double fromRadi
 /// The hull in a frame of (p - centre) * scale.
 ShadowHull scaled(const ShadowHull& hull, const Vec3& centre, double scale) {
     return {(hull.from - centre) * scale, hull.fromRadius * scale, (hull.to - centre) * scale,
-            hull.toRadius * scale};
+            hull.toRadius * scale, hull.parallel};
 }
 
 /// The hull in the object space of a similarity.
@@ -59,7 +59,7 @@ ShadowHull inObjectSpace(const ShadowHull& hull, const Instance& instance) {
     const Affine& map = instance.transform.toObject();
     const double scale = instance.objectScale;
     return {map.point(hull.from), hull.fromRadius * scale, map.point(hull.to),
-            hull.toRadius * scale};
+            hull.toRadius * scale, hull.parallel};
 }
 
 /// By the bounds of the shape, which compute slowly, and are kept.
@@ -70,36 +70,29 @@ struct MeetsHull {
     bool operator()(const Sphere&) const {
         return hull.meetsBall(box.centre(), 0.5 * box.extent().x);
     }
-    bool operator()(const Box&) const { return hull.mayMeet(box); }
-    bool operator()(const Cylinder&) const { return round(0, 2); }
-    bool operator()(const Cone&) const { return round(0, 2); }
-    bool operator()(const Torus&) const { return round(0, 1); }
+    bool operator()(const Plane&) const { return hull.meetsGround(); }
     bool operator()(const std::shared_ptr<const MeshShape>&) const { return hull.mayMeet(box); }
-
-  private:
-    bool round(int i, int j) const {
-        return hull.mayMeet(box) && hull.meetsCylinder(box.centre(), 0.5 * box.extent()[i], i, j);
+    template <class Solid>
+    bool operator()(const Solid&) const {
+        constexpr int kAxis = Solid::kKind.axis;
+        if (!hull.mayMeet(box)) return false;
+        if constexpr (kAxis < 0) return true;
+        constexpr int kFirst = kAxis == 0 ? 1 : 0;
+        constexpr int kSecond = kAxis == 2 ? 1 : 2;
+        return hull.meetsCylinder(box.centre(), 0.5 * box.extent()[kFirst], kFirst, kSecond);
     }
 };
 
 struct BehindTangentPlane {
     const PrimitiveHit& hit;
 
-    template <class Convex>
-    bool operator()(const Convex&) const {
-        return true;
+    template <class Solid>
+    bool operator()(const Solid&) const {
+        return Solid::kKind.convex;
     }
     bool operator()(const Torus& torus) const { return torus.isOuterHalf(hit); }
     bool operator()(const std::shared_ptr<const MeshShape>&) const { return false; }
 };
-
-bool isMesh(const Shape& shape) {
-    return std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
-}
-
-bool isConvex(const Shape& shape) {
-    return !std::holds_alternative<Torus>(shape) && !isMesh(shape);
-}
 
 /// A hull against four boxes at a time: mayMeet, with the divisions done beforehand.
 class HullSlabs {
@@ -155,7 +148,8 @@ class HullSlabs {
 
 /// Calls found(item) for the leaves of the tree whose boxes the hull may meet, while it is true.
 template <class Found>
-void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
+void walkTree(const WideTree& tree, const ShadowHull& world, Found&& found) {
+    if (tree.isEmpty()) return;
     const TreeFrame& frame = tree.frame();
     ShadowHull hull = scaled(world, frame.centre, frame.scale);
     // The planes of the boxes were rounded outwards; the hull's own rounding is far below kBoxPad.
@@ -178,6 +172,15 @@ void walk(const WideTree& tree, const ShadowHull& world, Found&& found) {
         unsigned met = slabs.meet(node, 0) | slabs.meet(node, 4) << 4;
         for (; met != 0; met &= met - 1) stack[size++] = node.child[std::countr_zero(met)];
     }
+}
+
+/// Calls found(item) for the instances that the hull may meet, while it is true.
+template <class Found>
+void walk(const RenderScene& scene, const ShadowHull& hull, Found&& found) {
+    for (const Index item : scene.unbounded) {
+        if (!found(item)) return;
+    }
+    walkTree(scene.tree, hull, found);
 }
 
 }  // namespace
@@ -222,6 +225,15 @@ bool ShadowHull::meetsBall(const Vec3& centre, double radius) const {
     return distanceToHull(along, aside, length, fromRadius, toRadius) <= radius;
 }
 
+bool ShadowHull::meetsGround() const {
+    // On the upper side of it, or, turned over, on the lower.
+    const double side = from.y < 0.0 ? -1.0 : 1.0;
+    const double least = side * from.y - fromRadius;
+    const double leastThere = side * to.y - toRadius;
+    if (!(least > 0.0 && leastThere > 0.0)) return true;
+    return parallel && leastThere < least;
+}
+
 bool liesBehindTangentPlane(const Shape& shape, const PrimitiveHit& hit) {
     return std::visit(BehindTangentPlane{hit}, shape);
 }
@@ -233,13 +245,13 @@ bool meetsHull(const RenderScene& scene, const ShadowHull& hull, Index item) {
         return std::visit(MeetsHull{inObjectSpace(hull, instance), box},
                           scene.shapes[instance.shape]);
     }
+    if (!kindOf(scene.shapes[instance.shape]).bounded) return true;
     return hull.mayMeet(instance.transform.boundsToWorld(box));
 }
 
 Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index except) {
     Occluders occluders;
-    if (scene.tree.isEmpty()) return occluders;
-    walk(scene.tree, hull, [&](Index item) {
+    walk(scene, hull, [&](Index item) {
         if (item != except && !occluders.overflow && meetsHull(scene, hull, item)) {
             occluders.add(item);
         }
@@ -251,9 +263,8 @@ Occluders occludersIn(const RenderScene& scene, const ShadowHull& hull, Index ex
 bool candidatesIn(const RenderScene& scene, const ShadowHull& hull, std::size_t most,
                   std::vector<Index>& items) {
     items.clear();
-    if (scene.tree.isEmpty()) return true;
     bool all = true;
-    walk(scene.tree, hull, [&](Index item) {
+    walk(scene, hull, [&](Index item) {
         if (meetsHull(scene, hull, item)) {
             all = items.size() < most;
             if (all) items.push_back(item);
@@ -278,7 +289,7 @@ bool oneHidesCone(const RenderScene& scene, const Occluders& occluders, const Ve
     const Basis basis = orthonormalBasis(axis);
     for (unsigned i = 0; i < occluders.count; ++i) {
         const Index item = occluders.items[i];
-        if (!isConvex(scene.shapes[scene.instances[item].shape])) continue;
+        if (!kindOf(scene.shapes[scene.instances[item].shape]).convex) continue;
         bool all = true;
         for (int corner = 0; corner < 4 && all; ++corner) {
             const double a = (corner & 1) ? tanA : -tanA;

@@ -26,6 +26,8 @@ struct ShadowHull {
     /// cylinder), or in all three.
     bool meetsCylinder(const Vec3& centre, double radius, int i, int j) const;
     bool meetsBall(const Vec3& centre, double radius) const;
+    /// Whether it meets the plane y = 0; if it is parallel, also beyond its far end.
+    bool meetsGround() const;
 };
 
 /// A few instances, or more than fit.

@@ -1,6 +1,7 @@
 #include "rt/trace/render_scene.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace rt {
 namespace {
@@ -15,19 +16,36 @@ struct BoundsOf {
     }
 };
 
+struct KindOf {
+    template <class Solid>
+    SolidKind operator()(const Solid&) const {
+        return Solid::kKind;
+    }
+    SolidKind operator()(const std::shared_ptr<const MeshShape>& shape) const {
+        return {.convex = false, .closed = shape->mesh.closed};
+    }
+};
+
+/// Sheets have an extent of 0, which would say that nothing is known.
+constexpr double kThinnest = std::numeric_limits<double>::min();
+
 }  // namespace
+
+SolidKind kindOf(const Shape& shape) {
+    return std::visit(KindOf{}, shape);
+}
 
 Bounds boundsOf(const Shape& shape) {
     return std::visit(BoundsOf{}, shape);
 }
 
 double thicknessOf(const RenderScene& scene, const Instance& instance) {
-    if (std::holds_alternative<std::shared_ptr<const MeshShape>>(scene.shapes[instance.shape])) {
-        return kInfinity;
-    }
+    const Shape& shape = scene.shapes[instance.shape];
+    const bool isMesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
+    if (isMesh || !kindOf(shape).bounded) return kInfinity;
     if (!(instance.objectScale > 0.0)) return 0.0;
     const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
-    return std::min({size.x, size.y, size.z}) / instance.objectScale;
+    return std::max(std::min({size.x, size.y, size.z}), kThinnest) / instance.objectScale;
 }
 
 }  // namespace rt

@@ -150,7 +150,7 @@ ShadowHull Tracer<Features>::hullTowards(const Light& light, const LightView& vi
     if (!kLightKinds || light.kind != LightKind::kSun) return {from, margin, light.position, light.radius};
     const double cosA = 1.0 - view.oneMinusCos;
     const double sinA = std::sqrt(view.oneMinusCos * (1.0 + cosA));
-    const double length = (wayOut(from) + margin) / cosA;
+    const double length = ((scene_.tree.isEmpty() ? 0.0 : wayOut(from)) + margin) / cosA;
     return {from, margin, from + length * view.axis, length * sinA + margin, true};
 }
 

@@ -45,7 +45,7 @@ std::string SceneWriter::vector(double low, double high) {
 }
 
 std::string SceneWriter::node() {
-    switch (below(14)) {
+    switch (below(19)) {
         case 0:
             return "gr.node, 'group'";
         case 1:
@@ -82,6 +82,34 @@ std::string SceneWriter::node() {
             const std::string centre = vector(-3, 3);
             const std::string radius = number(0, 2);
             return "gr.nh_torus, 's', " + centre + ", " + radius + ", " + number(0, 2);
+        }
+        case 12: {
+            static constexpr const char* kUnit[] = {"gr.hemisphere, 's'", "gr.disc, 's'",
+                                                    "gr.quad, 's'", "gr.plane, 's'"};
+            return oneOf(kUnit);
+        }
+        case 13: {
+            const std::string base = vector(-3, 3);
+            const std::string height = number(0, 3);
+            const std::string lower = number(0, 2);
+            return "gr.nh_frustum, 's', " + base + ", " + height + ", " + lower + ", " +
+                   number(0, 2);
+        }
+        case 14: {
+            const std::string centre = vector(-3, 3);
+            return "gr.nh_hemisphere, 's', " + centre + ", " + number(0, 2);
+        }
+        case 15: {
+            const std::string centre = vector(-3, 3);
+            const std::string normal = vector(-1, 1);
+            return below(2) == 0
+                       ? "gr.nh_plane, 's', " + centre + ", " + normal
+                       : "gr.nh_disc, 's', " + centre + ", " + normal + ", " + number(0, 2);
+        }
+        case 16: {
+            const std::string corner = vector(-3, 3);
+            const std::string u = vector(-2, 2);
+            return "gr.nh_quad, 's', " + corner + ", " + u + ", " + vector(-2, 2);
         }
         default: {
             std::string corners = vector(-2, 2);

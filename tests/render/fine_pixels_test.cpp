@@ -92,6 +92,11 @@ TEST_CASE("a corner of an outline between the corners of a pixel marks it") {
              "gr.nh_cone('s', {0, -1, 0}, 2, 1)",
              "gr.nh_cone('s', {0, -1.5, 0}, 3, 0.4)",
              "gr.nh_cylinder('s', {0, -0.2, 0}, 0.4, 1.5)",
+             "gr.nh_frustum('s', {0, -0.2, 0}, 0.4, 1.5, 1.2)",
+             "gr.nh_frustum('s', {0, -1.5, 0}, 3, 0.001, 0.5)",
+             "gr.nh_hemisphere('s', {0, 0, 0}, 1.5) s:scale(1, 0.2, 1)",
+             "gr.nh_quad('s', {-1, -1, 0}, {2, 0, 0}, {0, 2, 0})",
+             "gr.nh_disc('s', {0, 0, 0}, {0, 0, 1}, 1.3)",
              "gr.mesh('s', {{-1, -1, 0}, {1, -1, 0}, {0, 1.2, 0}, {0, 0, 1}},"
              " {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}, {0, 1, 3}})",
          }) {

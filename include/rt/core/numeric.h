@@ -30,12 +30,12 @@ inline constexpr double kCoincidence = 4096 * kUnitRoundoff;
 inline constexpr double kUnitDotError = gamma(11);
 
 /// Sine of an angle between two sides of a triangle below which it has no certain area: the sides,
-/// as rounded differences of the corners, turn by up to 2 roundings each, and their cross product is
-/// off by 3 more.
+/// as rounded differences of the corners, turn by up to 2 roundings each, and their cross product
+/// is off by 3 more.
 inline constexpr double kNoAreaSine = gamma(7);
 
-/// Beyond so many roundings of its two products, a plain 2 x 2 determinant of rounded differences has
-/// the right sign (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997: 3 + 16 u).
+/// Beyond so many roundings of its two products, a plain 2 x 2 determinant of rounded differences
+/// has the right sign (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997: 3 + 16 u).
 inline constexpr double kPlainOrientationError = gamma(4);
 
 /// a b - c d with an error of at most 1.5 roundings of the result, without cancellation
@@ -150,6 +150,9 @@ inline constexpr double kBoxedCondition = 8.0;
 /// sideways by the difference: the pad is 2^-46 of it.
 inline constexpr double kLeastSlopeShare = 0x1p-60;
 
+/// A plane ends here: the square of such a length still is a float.
+inline constexpr double kFarthestOfPlane = 0x1p60;
+
 /// In surface() of a torus: rho is off by 2 roundings of at most R + r, rho - R by one more, the
 /// distance to the circle by 3 and its difference with r by 1, each of r; relative to R + r.
 inline constexpr double kTorusPointError = gamma(7);
@@ -159,8 +162,8 @@ inline constexpr double kTorusPointError = gamma(7);
 /// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 7.2).
 inline constexpr double kLargestCondition = 1.0 / (16 * kUnitRoundoff);
 
-/// A map keeps angles if the products of its columns are alike to this: chains of rotations and even
-/// scales are off by some tens of roundings, and no uneven scale that matters is so small.
+/// A map keeps angles if the products of its columns are alike to this: chains of rotations and
+/// even scales are off by some tens of roundings, and no uneven scale that matters is so small.
 inline constexpr double kSimilarityError = 4096 * kUnitRoundoff;
 
 /// A Newton step on a surface that is met at an angle mends thousands of roundings of the size at

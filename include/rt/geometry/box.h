@@ -13,11 +13,14 @@
 
 #include "rt/core/bounds.h"
 #include "rt/geometry/hit.h"
+#include "rt/geometry/solid_kind.h"
 
 namespace rt {
 
 class Box {
   public:
+    static constexpr SolidKind kKind{};
+
     /// Refuses sizes that are not > 0 and finite, and a corner that is not finite
     /// (std::invalid_argument).
     Box(const Vec3& lo, const Vec3& size);

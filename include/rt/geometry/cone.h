@@ -15,11 +15,14 @@
 
 #include "rt/core/bounds.h"
 #include "rt/geometry/hit.h"
+#include "rt/geometry/solid_kind.h"
 
 namespace rt {
 
 class Cone {
   public:
+    static constexpr SolidKind kKind{.axis = 1};
+
     /// Refuses a height or radius that is not > 0 and finite, and an apex that is not finite
     /// (std::invalid_argument).
     Cone(const Vec3& apex, double height, double radius);

@@ -5,6 +5,8 @@
 //     sphere      dn = dp / r, the part of dp along the normal left out, as everywhere
 //     cylinder    dn = dp_t / r, dp_t the part of dp around the axis
 //     cone        dn = cos a dp_t / rho, rho the distance to the axis, a half the apex' angle
+//     frustum     the same, a half its sides' angle
+//     hemisphere  as the sphere, and as what is flat
 //     torus       dn = dp_m / r + n_rho dp_t / rho, dp_m the part along the tube's circle (-dp_m on
 //                 the lemon, whose normal points to the centre)
 //     triangle    n = s / |s|, s = sum of b_k n_k: dn = (ds - (n . ds) n) / |s|, with the db of dp
@@ -15,7 +17,12 @@
 #include "rt/geometry/box.h"
 #include "rt/geometry/cone.h"
 #include "rt/geometry/cylinder.h"
+#include "rt/geometry/disc.h"
+#include "rt/geometry/frustum.h"
+#include "rt/geometry/hemisphere.h"
 #include "rt/geometry/hit.h"
+#include "rt/geometry/plane.h"
+#include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
 #include "rt/geometry/triangle_mesh.h"
@@ -26,6 +33,17 @@ Vec3 normalChange(const Sphere& sphere, const PrimitiveHit& hit, const Vec3& alo
 Vec3 normalChange(const Box& box, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Cylinder& cylinder, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Cone& cone, const PrimitiveHit& hit, const Vec3& along);
+Vec3 normalChange(const Hemisphere& hemisphere, const PrimitiveHit& hit, const Vec3& along);
+Vec3 normalChange(const Frustum& frustum, const PrimitiveHit& hit, const Vec3& along);
+inline Vec3 normalChange(const Disc&, const PrimitiveHit&, const Vec3&) {
+    return Vec3(0.0);
+}
+inline Vec3 normalChange(const Rectangle&, const PrimitiveHit&, const Vec3&) {
+    return Vec3(0.0);
+}
+inline Vec3 normalChange(const Plane&, const PrimitiveHit&, const Vec3&) {
+    return Vec3(0.0);
+}
 Vec3 normalChange(const Torus& torus, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const TriangleMesh& mesh, const PrimitiveHit& hit, const Vec3& along);
 

@@ -12,11 +12,14 @@
 
 #include "rt/core/bounds.h"
 #include "rt/geometry/hit.h"
+#include "rt/geometry/solid_kind.h"
 
 namespace rt {
 
 class Sphere {
   public:
+    static constexpr SolidKind kKind{};
+
     /// Refuses a radius that is not > 0 and finite, and a centre that is not finite
     /// (std::invalid_argument).
     Sphere(const Vec3& centre, double radius);

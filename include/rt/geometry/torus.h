@@ -20,11 +20,14 @@
 
 #include "rt/core/bounds.h"
 #include "rt/geometry/hit.h"
+#include "rt/geometry/solid_kind.h"
 
 namespace rt {
 
 class Torus {
   public:
+    static constexpr SolidKind kKind{.convex = false, .axis = 2};
+
     /// Refuses radii that are not > 0 and finite (std::invalid_argument).
     Torus(const Vec3& centre, double majorRadius, double minorRadius);
 

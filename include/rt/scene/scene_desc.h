@@ -8,6 +8,11 @@
 #include "rt/geometry/box.h"
 #include "rt/geometry/cone.h"
 #include "rt/geometry/cylinder.h"
+#include "rt/geometry/disc.h"
+#include "rt/geometry/frustum.h"
+#include "rt/geometry/hemisphere.h"
+#include "rt/geometry/plane.h"
+#include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
 #include "rt/scene/render_options.h"
@@ -61,7 +66,8 @@ struct MeshTableDesc {
     std::optional<double> smoothAngle;
 };
 
-using GeometryShape = std::variant<Sphere, Box, Cylinder, Cone, Torus, MeshFileDesc, MeshTableDesc>;
+using GeometryShape = std::variant<Sphere, Box, Cylinder, Cone, Torus, Disc, Rectangle, Plane,
+                                   Hemisphere, Frustum, MeshFileDesc, MeshTableDesc>;
 
 struct GeometryDesc {
     GeometryShape shape;

@@ -8,6 +8,11 @@
 #include "rt/geometry/box.h"
 #include "rt/geometry/cone.h"
 #include "rt/geometry/cylinder.h"
+#include "rt/geometry/disc.h"
+#include "rt/geometry/frustum.h"
+#include "rt/geometry/hemisphere.h"
+#include "rt/geometry/plane.h"
+#include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
 #include "rt/geometry/triangle_mesh.h"
@@ -28,10 +33,14 @@ struct MeshShape {
     MeshTree tree;
 };
 
-using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>>;
+using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>,
+                           Disc, Rectangle, Plane, Hemisphere, Frustum>;
 
 /// In the shape's own space.
 Bounds boundsOf(const Shape& shape);
+
+/// What its form is; a mesh is taken for not convex.
+SolidKind kindOf(const Shape& shape);
 
 /// What a surface does with light, all of it resolved.
 struct Look {
@@ -88,6 +97,7 @@ struct RenderScene {
     std::vector<Instance> instances;
     WideTree tree;                      ///< over the instances' world bounds
     std::vector<PaddedBox> shapeBoxes;  ///< of each shape, in object space
+    std::vector<Index> unbounded;       ///< instances that no box holds, beside the tree
     std::vector<BoxQuad> quads;         ///< world boxes, where they are few: a tree is slower there
     std::vector<Light> lights;
     Color ambient{0.0};
@@ -106,7 +116,7 @@ struct RenderScene {
 };
 
 /// The least extent of an instance in its own axes, in the world: infinite for meshes, of whose
-/// parts it says nothing, and 0 where lengths depend on the direction.
+/// parts it says nothing, and for what is unbounded; 0 where lengths depend on the direction.
 double thicknessOf(const RenderScene& scene, const Instance& instance);
 
 }  // namespace rt
