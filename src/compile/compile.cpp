@@ -92,7 +92,7 @@ class Compiler {
             instance.closed = (*mesh)->mesh.closed;
         }
         instance.look = lookOf(placed, instance.closed);
-        instance.order = placed.node;
+        instance.order = instance.node = placed.node;
         out_.instances.push_back(instance);
     }
 

@@ -37,7 +37,9 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     }
     const Color local = lightAlong(w, light, *view, path, point);
     if (local == Color(0.0)) return local;
-    return visibilityOf(index, w, view->reach(w), path.media, point, nullptr) * local;
+    const Share visible = visibilityOf(index, w, view->reach(w), path.media, point, nullptr);
+    if constexpr (kTells) tellLight(index, w, view->reach(w), local, visible, point);
+    return visible * local;
 }
 
 /// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing

@@ -5,6 +5,17 @@
 
 namespace rt {
 
+constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
+                                      kFeatureAreaLights | kFeatureAbsorption;
+
+/// The features of the leanest variant that renders scenes with these. Glass needs all that mirrors
+/// need: total internal reflection. What absorbs is glass.
+constexpr unsigned variantOf(unsigned features) {
+    features &= kVariantFeatures;
+    if (features & kFeatureAbsorption) features |= kFeatureRefraction;
+    return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
+}
+
 /// TraceKernel's functions of the same names.
 struct TracerVariant {
     void (*renderTile)(const RenderScene&, const TraceSettings&, const Tile&,
