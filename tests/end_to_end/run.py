@@ -225,10 +225,13 @@ class Rendering(EndToEnd):
         "textures and bump maps": "texture look-ups and tangents", "area lights": "light samples",
         "lens": "lens samples", "meshes": "mesh trees and normal interpolation",
         "background image": "background image look-ups", "lights": "shadow rays",
+        "absorption": "what media absorb along each ray",
     }
     USES = {
         "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
         "refraction": ("ball:set_refraction(1.5, 0)", ["secondary rays", "transparent shadows"]),
+        "absorption": ("ball:set_refraction(1.5, 0) ball:set_absorption({1, 2, 3})",
+                       ["refraction", "secondary rays", "transparent shadows"]),
         "textures and bump maps": ("root:add_child(gr.sphere('b'), nil, gr.texture('white.png', {0, 0, 0}, 1))", []),
         "area lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0}, 1)", ["lights"]),
         "lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0})", []),
@@ -421,7 +424,7 @@ class Scenes(EndToEnd):
         self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
         render = json.loads(self.read("stats.json"))["renders"][0]
         for feature in ("reflection refraction lens meshes lights".split() +
-                        ["textures and bump maps", "area lights", "background image", "transparent shadows"]):
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption"]):
             self.assertIn(feature, render["features"])
         self.assertEqual(render["skipped"], [])
         (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))

@@ -1,10 +1,9 @@
 #!/bin/sh
 # try_package.sh: makes the Debian package, installs it into a clean Debian 12 and tries it there, first
 # without what it recommends, then with it, and removes it again. Needs root, debootstrap, dpkg-dev and
-# the network; takes minutes. MIRROR names another mirror.
+# the network; takes minutes. MIRROR names another mirror than debootstrap's own.
 set -eu
 cd "$(dirname "$0")/../.."
-mirror=${MIRROR:-http://deb.debian.org/debian}
 [ "$(id -u)" -eq 0 ] || { echo "try_package.sh: needs root, for chroot" >&2; exit 1; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -29,7 +28,7 @@ refuses() { ! "$@"; }
 
 package=$(sh tools/make_deb.sh "$work/package" | tail -n 1)
 dpkg-deb --field "$package" Package Version Depends Recommends
-debootstrap --variant=minbase bookworm "$clean" "$mirror" > "$work/debootstrap.log" 2>&1 ||
+debootstrap --variant=minbase bookworm "$clean" ${MIRROR:+"$MIRROR"} > "$work/debootstrap.log" 2>&1 ||
     { tail "$work/debootstrap.log" >&2; exit 1; }
 cp "$package" "$clean/tmp/project.deb"
 
