@@ -178,9 +178,10 @@ const std::vector<CommandRow>& goldenRows() {
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
     static const std::set<std::string> without = {
-        "-o",      "--crop",        "--frames",       "--stats",   "--aov",       "--shard",
-        "--deps",  "--list-params", "--check",        "--explain", "--fail-fast", "--version",
-        "--watch", "--preview",     "--preview-port", "--print",   "--resume",    "--checkpoint"};
+        "-o",          "--crop",  "--pixel",       "--frames",       "--stats",   "--aov",
+        "--shard",     "--deps",  "--list-params", "--check",        "--explain", "--fail-fast",
+        "--version",   "--watch", "--preview",     "--preview-port", "--print",   "--resume",
+        "--checkpoint"};
     return without.count(row.flags) == 0;
 }
 
@@ -200,6 +201,16 @@ void refuseUnwatchable(const Options& options) {
     }
     if (options.output == "-") {
         throw UsageError("--watch: standard output takes one image; name a file with -o");
+    }
+}
+
+void refuseUnseenPixel(const Options& options) {
+    if (!options.pixel) return;
+    if (options.preview) {
+        throw UsageError("--pixel and --preview: the page shows pixels itself; say one of them");
+    }
+    if (options.render.time) {
+        throw UsageError("--pixel needs --spp or --error: --time gives other pixels in every run");
     }
 }
 
@@ -293,6 +304,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     options.scenes = words.others;
     refuseUnwatchable(options);
     refuseUnresumable(options);
+    refuseUnseenPixel(options);
     options.defaultScene = options.scenes.empty();
     if (options.defaultScene) options.scenes = {kDefaultScene};
     if (end != arguments.end()) options.scriptArguments.assign(end + 1, arguments.end());

@@ -93,7 +93,7 @@ class Compiler {
         instance.closed = kind.closed;
         if (!kind.bounded) out_.unbounded.push_back(static_cast<Index>(out_.instances.size()));
         instance.look = lookOf(placed, instance.closed);
-        instance.order = placed.node;
+        instance.order = instance.node = placed.node;
         out_.instances.push_back(instance);
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "light_mean.h"
+#include "rt/sampling/warp.h"
 #include "tracer.h"
 
 #include <cmath>

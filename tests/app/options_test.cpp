@@ -108,6 +108,7 @@ TEST_CASE("Every option reaches its field") {
          [](const Options& o) {
              return o.parameterFiles == Words{"a", "b"};
          }},
+        {{"--pixel", "3,0"}, [](const Options& o) { return o.pixel->x == 3 && o.pixel->y == 0; }},
         {{"--frames", "3-12"},
          [](const Options& o) { return o.frames->first == 3 && o.frames->last == 12; }},
         {{"--frames", "7"},

@@ -82,6 +82,7 @@ struct Options {
     std::optional<std::string> output;  ///< "-" is stdout
     std::optional<ImageSize> size;
     std::optional<Crop> crop;
+    std::optional<PixelPlace> pixel;  ///< whose rays are shown, instead of an image
     std::optional<FrameRange> frames;
     std::optional<Shard> shard;
     std::vector<Aov> aovs;             ///< in the order of the table, each once

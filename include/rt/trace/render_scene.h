@@ -63,10 +63,11 @@ struct Instance {
     Index look = 0;
     /// Order of creation: of overlapping solids, the one of highest order decides the index.
     Index order = 0;
-    /// Bounds a solid; refracting objects that do not are sheets.
-    bool closed = true;
+    Index node = 0;  ///< of the description, that it places
     /// Lengths in object space for lengths in the world; 0 where they depend on the direction.
     double objectScale = 0.0;
+    /// Bounds a solid; refracting objects that do not are sheets.
+    bool closed = true;
     /// Whether boxes in double precision hold under the transform (kBoxedCondition).
     bool boxed = true;
 };
