@@ -126,8 +126,8 @@ class RandomScene:
         rng = self.rng
         options = ["--seed", str(rng.randrange(10 ** 6))]
         for chance, more in ((0.2, ["--filter", rng.choice(FILTERS)]), (0.15, ["--transfer", "srgb"]), (0.15, ["--bits", "16"]),
-                             (0.1, ["--reference"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
-                             (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 5))])):
+                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
+                             (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 4))])):
             if rng.random() < chance:
                 options += more
         return options + ["-o", "out." + rng.choice(("png", "png", "pfm", "exr"))]
