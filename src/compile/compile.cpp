@@ -198,12 +198,16 @@ class Compiler {
         if (appearance.texture != kNone) {
             const TextureDesc& texture = scene_.textures[appearance.texture];
             look.material = {Color(0.0), texture.specular, texture.exponent};
-            look.texture = image(texture.image, appearance.bump == kNone);
+            if (texture.image == kNone) {
+                look.pattern = std::make_shared<const Pattern>(texture.pattern);
+            } else {
+                look.texture = image(texture.image, appearance.bump == kNone);
+            }
         } else {
             look.material = scene_.materials[appearance.material].material;
         }
         if (appearance.bump != kNone) look.bump = image(scene_.bumps[appearance.bump].image);
-        if (look.texture || look.bump) out_.features |= kFeatureImages;
+        if (look.isPictured()) out_.features |= kFeatureImages;
         if (state.reflection) {
             look.reflects = true;
             look.reflectionOwnWeight = *state.reflection;

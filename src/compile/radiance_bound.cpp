@@ -31,6 +31,13 @@ double distanceTo(const Bounds& box, const Vec3& p) {
     return glm::length(outside);
 }
 
+double brightestDiffuse(const Look& look) {
+    if (look.texture) return look.texture->largestValue();
+    if (look.pattern)
+        return std::max(brightest(look.pattern->first), brightest(look.pattern->second));
+    return brightest(look.material.diffuse);
+}
+
 /// The greatest irradiance that a light gives on anything, its weight included.
 double lightBound(const Light& light, const RenderScene& scene) {
     // What has no bounds may be anywhere.
@@ -52,8 +59,7 @@ double radianceBound(const RenderScene& scene) {
     double diffuse = 0.0;
     double specular = 0.0;
     for (const Look& look : scene.looks) {
-        diffuse = std::max(diffuse, look.texture ? look.texture->largestValue()
-                                                 : brightest(look.material.diffuse));
+        diffuse = std::max(diffuse, brightestDiffuse(look));
         specular = std::max(specular, brightest(look.material.specular));
     }
     double own = diffuse * brightest(scene.ambient);

@@ -108,13 +108,10 @@ void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& b
 
 const std::vector<CallGroup>& callGroups() {
     static const std::vector<CallGroup> groups = {
-        {"Nodes", nodeCalls},
-        {"Primitives", primitiveCalls},
-        {"Meshes", meshCalls},
-        {"Appearance", appearanceCalls},
-        {"Lights and lens", lightCalls},
-        {"Images", renderCalls},
-        {"Options", optionCalls},
+        {"Nodes", nodeCalls},           {"Primitives", primitiveCalls},
+        {"Meshes", meshCalls},          {"Appearance", appearanceCalls},
+        {"Patterns", patternCalls},     {"Lights and lens", lightCalls},
+        {"Images", renderCalls},        {"Options", optionCalls},
         {"Parameters", parameterCalls},
     };
     return groups;

@@ -140,6 +140,7 @@ std::vector<CallRow> primitiveCalls();
 std::vector<CallRow> meshCalls();
 std::vector<CallRow> nodeCalls();
 std::vector<CallRow> appearanceCalls();
+std::vector<CallRow> patternCalls();
 std::vector<CallRow> lightCalls();
 std::vector<CallRow> renderCalls();
 std::vector<CallRow> optionCalls();

@@ -96,23 +96,30 @@ RayDifferential differentialBeyond(const RayDifferential& before, const RenderSc
     return after;
 }
 
-TextureFootprint Beam::on(const SurfacePoint& surface, const Transform& transform, double t) const {
+std::array<Vec3, 2> Beam::sidesOn(const SurfacePoint& surface, const Transform& transform,
+                                  double t) const {
     const Affine& toObject = transform.toObject();
     const Vec3 direction = toObject.vector(ray.direction);
+    const auto by = [&](const RayDifferential::By& change, double size) {
+        const Vec3 apart = toObject.vector(size * (change.position + t * change.direction));
+        return onPlane(apart, direction, surface.normal);
+    };
+    return {by(differential.by[0], share.size.x), by(differential.by[1], share.size.y)};
+}
+
+TextureFootprint Beam::on(const SurfacePoint& surface, const Transform& transform, double t) const {
     // uv of a step in the tangent plane: step = dpdu u + dpdv v.
     const double uu = glm::dot(surface.dpdu, surface.dpdu);
     const double uv = glm::dot(surface.dpdu, surface.dpdv);
     const double vv = glm::dot(surface.dpdv, surface.dpdv);
     const double determinant = uu * vv - uv * uv;
-    const auto by = [&](const RayDifferential::By& change, double size) {
-        const Vec3 apart = toObject.vector(size * (change.position + t * change.direction));
-        const Vec3 step = onPlane(apart, direction, surface.normal);
+    const auto inUv = [&](const Vec3& step) {
         const double alongU = glm::dot(step, surface.dpdu);
         const double alongV = glm::dot(step, surface.dpdv);
         return Vec2(alongU * vv - alongV * uv, alongV * uu - alongU * uv) / determinant;
     };
-    return {by(differential.by[0], share.size.x), by(differential.by[1], share.size.y),
-            share.phase};
+    const std::array<Vec3, 2> sides = sidesOn(surface, transform, t);
+    return {inUv(sides[0]), inUv(sides[1]), share.phase};
 }
 
 }  // namespace rt

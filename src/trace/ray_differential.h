@@ -44,6 +44,10 @@ struct Beam {
     const RayDifferential& differential;
     PixelShare share;
 
+    /// What the sample's share of the pixel covers on the surface, in object space: the sides of a
+    /// parallelogram, for a hit at `t` of a shape that is placed by `transform`.
+    std::array<Vec3, 2> sidesOn(const SurfacePoint& surface, const Transform& transform,
+                                double t) const;
     /// The part of the image that lies in the sample's share, for a hit at `t` of a shape that is
     /// placed by `transform`.
     TextureFootprint on(const SurfacePoint& surface, const Transform& transform, double t) const;

@@ -28,6 +28,15 @@ Color textureColor(const Look& look, const SurfacePoint& surface, const Transfor
     return look.texture->filtered(surface.uv, beam->on(surface, transform, t));
 }
 
+Color patternColor(const Pattern& pattern, const SurfacePoint& surface, const Transform& transform,
+                   double t, const Beam* beam) {
+    // A face that lies where two cells meet shows the inner ones.
+    const Vec3 p = surface.point - (kPatternDepth * pattern.size) * surface.normal;
+    if (!beam) return pattern.at(p);
+    const std::array<Vec3, 2> sides = beam->sidesOn(surface, transform, t);
+    return pattern.mean(p, sides[0], sides[1], beam->share.phase);
+}
+
 }  // namespace
 
 ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3& rayDirection,
@@ -43,6 +52,8 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
     point.material = look.material;
     if (images && look.texture) {
         point.material.diffuse = textureColor(look, surface, transform, hit.at.t, beam);
+    } else if (images && look.pattern) {
+        point.material.diffuse = patternColor(*look.pattern, surface, transform, hit.at.t, beam);
     }
     const Vec3 shading = objectNormal(look, surface, images);
     const bool smooth = shading != surface.normal;

@@ -113,7 +113,7 @@ void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
     }
     if constexpr (kImages) {
         const Look& look = scene_.looks[instance.look];
-        if (look.texture || look.bump) evidence.marks |= kProbeDetail;
+        if (look.isPictured()) evidence.marks |= kProbeDetail;
     }
     if constexpr (kSecondary) {
         markNarrow(path, glm::length(point.position - path.ray.origin), sum);

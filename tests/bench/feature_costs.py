@@ -38,6 +38,7 @@ FEATURES = {
                    "inner = 180, outer = 180}",
     "lens": "focal = gr.focal(9, 0.5, 1e-15)",
     "textures and bump maps": "root:add_child(far, nil, gr.texture('white.png', {0, 0, 0}, 1))",
+    "patterns": "root:add_child(far, nil, gr.checker{first = {1, 1, 1}, second = {1, 1, 1}})",
     "meshes": "root:add_child(gr.mesh('far', {{0, 900, 900}, {1, 900, 900}, {0, 901, 900}}, {{0, 1, 2}}), grey)",
     "reflection": "far:set_reflection(0.5) root:add_child(far, grey)",
     "refraction": "far:set_refraction(1.5, 0.5) root:add_child(far, grey)",
@@ -92,7 +93,7 @@ def main():
     if arguments.markdown:
         print("| --- | --: | --: |")
     for name in list(scenes)[1:]:
-        if name in FEATURES and name not in used[name] and name != "spot lights":
+        if name in FEATURES and name not in used[name] and name not in ("spot lights", "patterns"):
             sys.exit("feature_costs.py: the scene does not use %s" % name)
         base = "one object more" if "root:add_child" in scenes[name] and name != "one object more" else "leanest"
         ratio = statistics.median(a / b for a, b in zip(times[name], times[base]))

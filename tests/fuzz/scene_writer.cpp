@@ -130,7 +130,7 @@ std::string SceneWriter::appearance() {
 
 std::string SceneWriter::change() {
     const std::string of = ", " + name('n');
-    switch (below(9)) {
+    switch (below(10)) {
         case 0:
             return "gr.translate" + of + ", " + number(-3, 3) + ", " + number(-3, 3) + ", 0";
         case 1: {
@@ -149,6 +149,8 @@ std::string SceneWriter::change() {
             return "gr.set_fresnel" + of + ", true";
         case 7:
             return "gr.set_absorption" + of + ", " + vector(0, 2);
+        case 8:
+            return "gr.set_texture" + of + ", try(" + pattern() + ")";
         default:
             return "gr.add_child" + of + ", " + name('n') + ", " + name('m');
     }
@@ -194,6 +196,20 @@ std::string SceneWriter::statement() {
         default:
             return "try(" + change() + ")\n";
     }
+}
+
+std::string SceneWriter::pattern() {
+    static constexpr const char* kCalls[] = {"gr.checker", "gr.stripes", "gr.gradient",
+                                             "gr.noise",   "gr.marble",  "gr.wood"};
+    const std::size_t kind = below(6);
+    const std::string first = vector(0, 1);
+    const std::string second = vector(0, 1);
+    std::string fields = "first = " + first + ", second = " + second + ", size = " + number(0, 2);
+    const bool hasDirection = kind != 0 && kind != 3;
+    if (hasDirection && below(2) == 0) fields += ", direction = " + vector(-1, 1);
+    if (kind > 3 && below(2) == 0) fields += ", turbulence = " + number(0, 4);
+    if (kind > 2 && below(2) == 0) fields += ", octaves = " + std::to_string(1 + below(16));
+    return kCalls[kind] + std::string(", {") + fields + "}";
 }
 
 std::string SceneWriter::namedLight() {

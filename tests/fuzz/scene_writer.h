@@ -31,6 +31,7 @@ class SceneWriter {
     std::string statement();
     std::string change();
     std::string namedLight();
+    std::string pattern();
     std::string render();
 
     std::span<const std::uint8_t> bytes_;

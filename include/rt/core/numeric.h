@@ -150,6 +150,10 @@ inline constexpr double kBoxedCondition = 8.0;
 /// sideways by the difference: the pad is 2^-46 of it.
 inline constexpr double kLeastSlopeShare = 0x1p-60;
 
+/// Patterns are read this far below a surface, in their sizes: more than the rounding of points up
+/// to 2^20 sizes from the origin, and no more than an eye can see.
+inline constexpr double kPatternDepth = 0x1p-24;
+
 /// A plane ends here: the square of such a length still is a float.
 inline constexpr double kFarthestOfPlane = 0x1p60;
 

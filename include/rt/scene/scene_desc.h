@@ -18,6 +18,7 @@
 #include "rt/scene/render_options.h"
 #include "rt/shading/light.h"
 #include "rt/shading/material.h"
+#include "rt/shading/pattern.h"
 
 #include <array>
 #include <optional>
@@ -33,9 +34,10 @@ struct ImageDesc {
     SourceLocation where;
 };
 
-/// Diffuse colour from an image; specular and exponent as given.
+/// Diffuse colour from an image, or else by a formula; specular and exponent as given.
 struct TextureDesc {
     Index image = kNone;
+    Pattern pattern;
     Color specular{0.0};
     double exponent = 0.0;
     SourceLocation where;

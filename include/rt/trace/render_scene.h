@@ -18,6 +18,7 @@
 #include "rt/geometry/triangle_mesh.h"
 #include "rt/shading/light.h"
 #include "rt/shading/material.h"
+#include "rt/shading/pattern.h"
 #include "rt/shading/texture.h"
 #include "rt/trace/camera.h"
 
@@ -46,7 +47,12 @@ SolidKind kindOf(const Shape& shape);
 struct Look {
     Material material;
     std::shared_ptr<const Texture> texture;  ///< replaces material.diffuse where there is one
+    std::shared_ptr<const Pattern> pattern;  ///< does so, too
     std::shared_ptr<const Texture> bump;
+
+    /// Whether what it shows varies from point to point.
+    bool isPictured() const { return texture || pattern || bump; }
+
     double reflectionOwnWeight = 1.0;  ///< weight of the own colour beside the mirror image
     double refractionOwnWeight = 1.0;  ///< weight of the own colour beside what shines through
     double index = 1.0;
