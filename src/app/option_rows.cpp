@@ -49,6 +49,10 @@ void addOutputRows(Rows& rows) {
     rows.push_back(
         {kOutput, "--frames", "A-B", "render an animation's frames A to B",
          [](Options& o, const std::string& v) { o.frames = framesFrom("--frames", v); }});
+    rows.push_back(
+        {kOutput, "--subset", "C-D",
+         "render only frames C to D of those of --frames; gr.time is as for all of them",
+         [](Options& o, const std::string& v) { o.subset = framesFrom("--subset", v); }});
     rows.push_back({kOutput, "--shard", "i/n",
                     "render the i-th of n parts, for ./Project merge to join",
                     [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});

@@ -95,6 +95,22 @@ gr.render(root, 'x.png', 4, 4, {0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 45, {0, 0, 0},
         self.assertRegex(text, r"refracted ray .* weight 1\n        hits 'behind'")
         self.assertRegex(text, r"light 2 brings 0 0 0: visible 0, behind 'roof' \(mesh\)")
 
+    def test_every_primitive_has_its_name(self):
+        for call, name in (("sphere('a')", "sphere"), ("cube('a')", "box"), ("cylinder('a')", "cylinder"),
+                           ("nh_cone('a', {0, -1, 0}, 3, 2)", "cone"), ("torus('a', 0.5, 0.5)", "torus"),
+                           ("hemisphere('a')", "hemisphere"), ("nh_frustum('a', {0, -1, 0}, 2, 1, 0.5)", "frustum"),
+                           ("nh_disc('a', {0, 0, 0}, {0, 0, 1}, 1)", "disc"),
+                           ("nh_quad('a', {-1, -1, 0}, {2, 0, 0}, {0, 2, 0})", "quad"),
+                           ("nh_plane('a', {0, 0, 0}, {0, 0, 1})", "plane"),
+                           ("mesh('a', {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, {{0, 1, 2}})", "mesh")):
+            with self.subTest(name):
+                self.write("one.lua", """
+local root = gr.node('root')
+root:add_child(gr.%s, gr.material({1, 1, 1}, {0, 0, 0}, 0))
+gr.render(root, 'x.png', 4, 4, {0.3, 0.3, 9}, {0, 0, -1}, {0, 1, 0}, 5, {1, 1, 1}, {gr.light({0, 0, 9}, {1, 1, 1}, {1, 0, 0})})
+""" % call)
+                self.assertIn("hits 'a' (%s)" % name, self.told(20, 15, "--spp", "1", scene="one.lua"))
+
     def test_the_text_is_the_same_for_any_threads_and_instruction_set(self):
         for words in ("--spp", "2"), ("--error", "0.02"):
             texts = {self.told(12, 14, *words, "-j", threads, *more) for threads in "17"

@@ -9,6 +9,7 @@ from base import BALL, EVERYTHING, EndToEnd, TOP
 from documents import Documents, Parameters
 from installing import Installing
 from one_pixel import OnePixel
+from walkthroughs import Batches, Walkthroughs
 from writing_scenes import Dependencies, OnTerminal, Previewing, Watching
 
 PROJECT = ""
@@ -723,7 +724,7 @@ def main():
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards, Dependencies, Watching, Previewing,
-             Documents, Parameters, Installing, OnePixel, Golden, Comparing, Failures]
+             Documents, Parameters, Installing, OnePixel, Walkthroughs, Batches, Golden, Comparing, Failures]
     if sys.argv[2:3] == ["--only"]:
         cases = [case for case in cases if case.__name__.lower() in sys.argv[3:]]
     for case in cases:

@@ -42,6 +42,8 @@ Bounds boundsOf(const Shape& shape);
 
 /// What its form is; a mesh is taken for not convex.
 SolidKind kindOf(const Shape& shape);
+/// "sphere", for people.
+const char* nameOf(const Shape& shape);
 
 /// What a surface does with light, all of it resolved.
 struct Look {

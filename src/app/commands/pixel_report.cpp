@@ -47,13 +47,6 @@ std::string exactly(const Color& c) {
     return text;
 }
 
-const char* nameOf(const Shape& shape) {
-    // In the order of the variant.
-    constexpr std::array<const char*, std::variant_size_v<Shape>> kNames{
-        "sphere", "box", "cylinder", "cone", "torus", "mesh"};
-    return kNames[shape.index()];
-}
-
 const char* nameOf(RayKind kind) {
     constexpr std::array<const char*, 3> kNames{"camera", "reflected", "refracted"};
     return kNames[static_cast<std::size_t>(kind)];

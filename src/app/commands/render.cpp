@@ -127,7 +127,8 @@ class Batch {
         images_ = 0;
         int code = 0;
         try {
-            const FrameRange frames = options_.frames.value_or(FrameRange{});
+            const FrameRange all = options_.frames.value_or(FrameRange{});
+            const FrameRange frames = options_.subset.value_or(all);
             for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
                 runScene(scene, frame, diagnostics);
             }
@@ -353,6 +354,7 @@ class Batch {
     }
 
     static void printParameters(const ScriptResult& script) {
+        if (script.parameters.empty()) std::puts("# The scene reads no parameters.");
         std::fputs(parameterFileText(script.parameters).c_str(), stdout);
     }
 
