@@ -3,8 +3,8 @@
 #   that merges them into IMAGE when all are done.
 # slurm_array.sh frames A-B IMAGE SCENE [OPTION...]: submits each frame of an animation as a task; IMAGE has ####.
 # Only what is missing is submitted: run the same line again for tasks that failed. Prints the numbers of the jobs.
-# PROJECT (./Project, or an installed one) is the program, CPUS (1) the cores of a task; sbatch reads SBATCH_PARTITION and the like. All
-# nodes must see the folder.
+# PROJECT (./Project, or an installed one) is the program, CPUS (1) the cores of a task; sbatch reads SBATCH_PARTITION
+# and the like. All nodes must see the folder.
 set -eu
 
 fail() { echo "slurm_array.sh: $*" >&2; exit 2; }

@@ -118,3 +118,42 @@ gr.render(root, 'x.png', 16, 12, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 45, {0.5, 0.5
                          ["s2.png", "s3.png"])
         for i in "23":
             self.assertEqual(self.read("w%s.png" % i), self.read("s%s.png" % i))
+
+    # Runs at once what sbatch would queue, and writes down how it was asked.
+    SBATCH = """#!/bin/sh
+echo "$@" >> asked
+ids=$(echo "$*" | sed -n 's/.*--array=\\([0-9,]*\\).*/\\1/p' | tr , ' ')
+cat > task
+for id in ${ids:-0}; do SLURM_ARRAY_TASK_ID=$id sh task >&2 || exit 1; done
+echo "$$;cluster"
+"""
+
+    def submit(self, *words):
+        environment = dict(os.environ, PATH=self.folder + ":" + os.environ["PATH"], PROJECT=self.project)
+        done = subprocess.run(["sh", os.path.join(TOP, "tools", "slurm_array.sh"), *words], cwd=self.folder, env=environment,
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_an_array_of_tasks_makes_what_is_missing(self):
+        self.write("sbatch", self.SBATCH)
+        os.chmod(self.path("sbatch"), 0o755)
+        name = "it's a scene.lua"
+        self.write(name, self.SCENE.replace("{0, 0, 5}", "{gr.time, 0, 5}").replace("16, 12", "64, 48"))
+        self.run_project(name, "-q", "--spp", "2", "-D", "size=0.5", "-o", "whole.png")
+        shards = ["shards", "3", "a 'b'.png", name, "--spp", "2", "-D", "size=0.5"]
+        self.assertIn("tasks 1,2,3: job ", self.submit(*shards))
+        self.assertEqual(self.read("a 'b'.png"), self.read("whole.png"))
+        os.remove(self.path("a 'b'.2-of-3.part"))
+        self.assertIn("tasks 2: job ", self.submit(*shards))
+        self.assertIn("nothing is missing\nmerge into a 'b'.png: job ", self.submit(*shards))
+        self.assertRegex(self.read("asked").decode(), r"--dependency=afterok:\d+ --kill-on-invalid-dep=yes")
+
+        self.run_project(name, "-q", "--spp", "1", "--frames", "9-11", "-o", "w##.png")
+        frames = ["frames", "9-11", "f##.png", name, "--spp", "1"]
+        self.assertIn("tasks 9,10,11: job ", self.submit(*frames))
+        os.remove(self.path("f10.png"))
+        self.assertIn("tasks 10: job ", self.submit(*frames))
+        self.assertEqual(self.submit(*frames), "nothing is missing\n")
+        for i in "09", "10", "11":
+            self.assertEqual(self.read("w%s.png" % i), self.read("f%s.png" % i))
