@@ -165,7 +165,7 @@ for _, isa in ipairs(KERNEL_NAMES) do
     kind "StaticLib"
     compile("kernel_" .. isa, KERNELS[isa] .. SEALABLE .. " -DRT_KERNEL_" .. isa:upper(), "-O3")
     files(HOT)
-    excludes { "src/accel/build_*.cpp" }
+    excludes { "src/accel/build_*.cpp", "src/trace/traced_sample.cpp" }
     configuration {}
     postbuildcommands { "sh ../tools/seal_kernel.sh $(TARGET) rtKernel_" .. isa .. " $(OBJECTS)" }
 end

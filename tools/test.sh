@@ -42,6 +42,8 @@ check "failing allocations" python3 tests/faults/allocations.py ./Project --step
 check "golden images" ./Project golden tests/golden --report build/golden_report
 check "planted faults" python3 tests/golden/planted_faults.py ./Project
 check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
+check "soak, random scenes" python3 tests/stress/soak.py --scenes 60
+check "killed renders" python3 tests/stress/resume_kills.py --kills 8
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \
         sh tools/build.sh sanitize tests Project rt_oiio rt_preview
@@ -51,9 +53,12 @@ if [ "${1:-}" != --quick ]; then
         sanitized python3 tests/end_to_end/run.py build/sanitize/Project
     check "bad input and faults, sanitized" \
         sanitized python3 tests/faults/run.py build/sanitize/Project
+    check "soak, sanitized" python3 tests/stress/soak.py --scenes 15 --project build/sanitize/Project
     check "build (thread sanitizer)" sh tools/build.sh threads Project
     check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
         build/threads/Project --only threads
+    check "killed renders, thread-sanitized" sanitized python3 tests/stress/resume_kills.py \
+        --kills 4 --size 60x45 --project build/threads/Project
 fi
 echo "$passed passed, $failed failed$names"
 [ "$failed" -eq 0 ]

@@ -43,9 +43,16 @@ void addOutputRows(Rows& rows) {
     rows.push_back({kOutput, "--crop", "x0,y0,x1,y1",
                     "render and write these pixels only: x0 <= x < x1, y0 <= y < y1",
                     [](Options& o, const std::string& v) { o.crop = cropFrom("--crop", v); }});
+    rows.push_back({kOutput, "--pixel", "x,y",
+                    "print the rays behind one pixel, and what each brings, instead of an image",
+                    [](Options& o, const std::string& v) { o.pixel = pixelFrom("--pixel", v); }});
     rows.push_back(
         {kOutput, "--frames", "A-B", "render an animation's frames A to B",
          [](Options& o, const std::string& v) { o.frames = framesFrom("--frames", v); }});
+    rows.push_back(
+        {kOutput, "--subset", "C-D",
+         "render only frames C to D of those of --frames; gr.time is as for all of them",
+         [](Options& o, const std::string& v) { o.subset = framesFrom("--subset", v); }});
     rows.push_back({kOutput, "--shard", "i/n",
                     "render the i-th of n parts, for ./Project merge to join",
                     [](Options& o, const std::string& v) { o.shard = shardFrom("--shard", v); }});

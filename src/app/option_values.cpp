@@ -111,6 +111,15 @@ Crop cropFrom(const std::string& flag, const std::string& text) {
             static_cast<int>(ends[3])};
 }
 
+PixelPlace pixelFrom(const std::string& flag, const std::string& text) {
+    const std::vector<std::int64_t> numbers = wholes(split(text, ','), 0, kMostSide);
+    if (numbers.size() != 2) {
+        refuseValue(flag, text,
+                    "must be x,y in whole pixels from the upper left corner, such as 0,0");
+    }
+    return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
+}
+
 FrameRange framesFrom(const std::string& flag, const std::string& text) {
     constexpr std::int64_t kMostFrame = std::int64_t{1} << 53;
     std::vector<std::int64_t> ends = wholes(split(text, '-'), 0, kMostFrame);

@@ -18,6 +18,8 @@ std::size_t bytesFrom(const std::string& flag, const std::string& text);
 ImageSize sizeFrom(const std::string& flag, const std::string& text);
 /// x0,y0,x1,y1.
 Crop cropFrom(const std::string& flag, const std::string& text);
+/// x,y, both at least 0.
+PixelPlace pixelFrom(const std::string& flag, const std::string& text);
 /// A-B, or A alone.
 FrameRange framesFrom(const std::string& flag, const std::string& text);
 /// i/n, 1 <= i <= n.

@@ -178,9 +178,10 @@ const std::vector<CommandRow>& goldenRows() {
 /// The options of a render that have a meaning where pictures go nowhere.
 bool isForGolden(const CommandRow& row) {
     static const std::set<std::string> without = {
-        "-o",      "--crop",        "--frames",       "--stats",   "--aov",       "--shard",
-        "--deps",  "--list-params", "--check",        "--explain", "--fail-fast", "--version",
-        "--watch", "--preview",     "--preview-port", "--print",   "--resume",    "--checkpoint"};
+        "-o",        "--crop",         "--pixel",     "--frames",  "--subset",
+        "--stats",   "--aov",          "--shard",     "--deps",    "--list-params",
+        "--check",   "--explain",      "--fail-fast", "--version", "--watch",
+        "--preview", "--preview-port", "--print",     "--resume",  "--checkpoint"};
     return without.count(row.flags) == 0;
 }
 
@@ -200,6 +201,38 @@ void refuseUnwatchable(const Options& options) {
     }
     if (options.output == "-") {
         throw UsageError("--watch: standard output takes one image; name a file with -o");
+    }
+}
+
+void refuseStrangeSubset(const Options& options) {
+    if (!options.subset) return;
+    if (!options.frames) {
+        throw UsageError("--subset: of which frames? Say them with --frames A-B");
+    }
+    const FrameRange& all = *options.frames;
+    if (options.subset->first >= all.first && options.subset->last <= all.last) return;
+    throw UsageError("--subset " + std::to_string(options.subset->first) + "-" +
+                     std::to_string(options.subset->last) + " reaches beyond --frames " +
+                     std::to_string(all.first) + "-" + std::to_string(all.last));
+}
+
+/// Known before the first of many images is rendered.
+void refuseOneNameForMany(const Options& options) {
+    if (!options.output || options.output->find('#') != std::string::npos) return;
+    const FrameRange frames = options.subset.value_or(options.frames.value_or(FrameRange{}));
+    if (frames.first == frames.last) return;
+    throw UsageError("-o " + printable(*options.output, 300) +
+                     ": more than one frame would be written to it; put # into the name, which "
+                     "becomes the frame's number");
+}
+
+void refuseUnseenPixel(const Options& options) {
+    if (!options.pixel) return;
+    if (options.preview) {
+        throw UsageError("--pixel and --preview: the page shows pixels itself; say one of them");
+    }
+    if (options.render.time) {
+        throw UsageError("--pixel needs --spp or --error: --time gives other pixels in every run");
     }
 }
 
@@ -293,6 +326,9 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     options.scenes = words.others;
     refuseUnwatchable(options);
     refuseUnresumable(options);
+    refuseUnseenPixel(options);
+    refuseStrangeSubset(options);
+    refuseOneNameForMany(options);
     options.defaultScene = options.scenes.empty();
     if (options.defaultScene) options.scenes = {kDefaultScene};
     if (end != arguments.end()) options.scriptArguments.assign(end + 1, arguments.end());

@@ -94,7 +94,7 @@ class Compiler {
         if (!kind.bounded) out_.unbounded.push_back(static_cast<Index>(out_.instances.size()));
         if (placed.motion != Vec3(0.0)) addMotion(node, placed);
         instance.look = lookOf(placed, instance.closed);
-        instance.order = placed.node;
+        instance.order = instance.node = placed.node;
         out_.instances.push_back(instance);
     }
 
@@ -304,6 +304,7 @@ class Compiler {
         for (const LightDesc& desc : render_.lights) {
             out_.lights.push_back(desc.light);
             if (!isPointLike(desc.light)) out_.features |= kFeatureAreaLights;
+            if (desc.light.kind != LightKind::kBall) out_.features |= kFeatureLightKinds;
         }
         out_.background.bottom = render_.background.bottom;
         out_.background.top = render_.background.top;

@@ -22,15 +22,6 @@ constexpr std::size_t kTogether = 256;
 static_assert(std::endian::native == std::endian::little);
 static_assert(sizeof(PixelState) == 56 && sizeof(Probe) == 80);
 
-TraceSettings settingsFor(const RenderJob& job) {
-    TraceSettings settings = job.settings;
-    settings.cancel = job.cancel;
-    if (job.errorTarget > 0.0) {
-        settings.cutoff = std::min(settings.cutoff, kCutShare * job.errorTarget);
-    }
-    return settings;
-}
-
 template <class Value>
 void append(std::vector<std::uint8_t>& bytes, const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -73,10 +64,19 @@ std::vector<std::size_t> lackingOf(const std::vector<Value>& values,
 
 }  // namespace
 
+TraceSettings traceSettingsOf(const RenderJob& job) {
+    TraceSettings settings = job.settings;
+    settings.cancel = job.cancel;
+    if (job.errorTarget > 0.0) {
+        settings.cutoff = std::min(settings.cutoff, kCutShare * job.errorTarget);
+    }
+    return settings;
+}
+
 Run::Run(const RenderScene& scene, const RenderJob& job, Film& film)
     : scene_(scene),
       job_(job),
-      settings_(settingsFor(job)),
+      settings_(traceSettingsOf(job)),
       film_(film),
       tiles_(tilesOf(job.area)),
       counts_(tiles_.size()) {
@@ -149,9 +149,8 @@ void Run::onTile(const Place& place, const Tile& tile, const Grid& grid, Values&
     }
     const std::vector<std::size_t> lacking =
         job_.log ? lackingOf(tileValues, tileEnds) : std::vector<std::size_t>();
-    const bool isNew = taken(place, lacking, tileValues, [&] {
-        trace(tileEnds.data(), tileValues.data(), place.counts);
-    });
+    const bool isNew = taken(place, lacking, tileValues,
+                             [&] { trace(tileEnds.data(), tileValues.data(), place.counts); });
     {
         const std::unique_lock<std::mutex> lock =
             place.guard ? std::unique_lock(*place.guard) : std::unique_lock<std::mutex>();
@@ -162,8 +161,8 @@ void Run::onTile(const Place& place, const Tile& tile, const Grid& grid, Values&
     }
     if (!isNew) return;
     const bool isHere = place.kept == Kept::kInLog;
-    job_.log->add(place.part, {place.counts, isHere ? packed(lacking, tileValues)
-                                                    : std::vector<std::uint8_t>()});
+    job_.log->add(place.part, {place.counts,
+                               isHere ? packed(lacking, tileValues) : std::vector<std::uint8_t>()});
 }
 
 void Run::pass(const std::vector<std::uint32_t>& ends, double from, double to, Kept kept) {

@@ -44,8 +44,8 @@ LightRay rayToRectangle(const LightView& view, const Vec2& u, const Vec3& from) 
         light.position + (2.0 * u.x - 1.0) * light.halfU + (2.0 * u.y - 1.0) * light.halfV;
     const Vec3 way = onLight - from;
     const double d = glm::length(way);
-    if (!(d > 0.0)) return {view.axis, 0.0, Color(0.0)};
-    return {way / d, d, light.intensity / (light.c0 + d * (light.c1 + d * light.c2))};
+    if (!(d > 0.0)) return {view.axis, Color(0.0)};
+    return {way / d, light.intensity / (light.c0 + d * (light.c1 + d * light.c2)), d};
 }
 
 SpotPlace placeInSpot(const Light& spot, const Vec3& point, double radius) {

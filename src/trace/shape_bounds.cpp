@@ -26,10 +26,22 @@ struct KindOf {
     }
 };
 
+struct NameOf {
+    template <class Solid>
+    const char* operator()(const Solid&) const {
+        return Solid::kName;
+    }
+    const char* operator()(const std::shared_ptr<const MeshShape>&) const { return "mesh"; }
+};
+
 /// Sheets have an extent of 0, which would say that nothing is known.
 constexpr double kThinnest = std::numeric_limits<double>::min();
 
 }  // namespace
+
+const char* nameOf(const Shape& shape) {
+    return std::visit(NameOf{}, shape);
+}
 
 SolidKind kindOf(const Shape& shape) {
     return std::visit(KindOf{}, shape);

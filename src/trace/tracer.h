@@ -8,6 +8,7 @@
 #include "rt/sampling/sampler.h"
 #include "rt/shading/light_sample.h"
 #include "rt/trace/trace_kernel.h"
+#include "rt/trace/traced_sample.h"
 #include "scene_intersect.h"
 #include "shade_point.h"
 #include "shadow_hull.h"
@@ -19,6 +20,12 @@
 
 namespace rt {
 
+/// Beside the features: a Tracer of its own for what is asked for beside a picture. If it shared
+/// functions with those of renders, the compiler would inline fewer of them there.
+inline constexpr unsigned kBeside = 1u << 31;
+/// Beside the features: one that tells what it does.
+inline constexpr unsigned kTelling = 1u << 30;
+
 /// `Features` are those that the scene uses: what it does not use is not compiled into its variant.
 /// One Tracer works on one thread.
 template <unsigned Features>
@@ -28,6 +35,9 @@ class Tracer {
 
     /// The value of sample number `index` of pixel (x, y), times its filter weight.
     Color sample(int x, int y, int index);
+
+    /// The same, and how it came about.
+    TracedSample tracedSample(int x, int y, int index);
 
     /// Looks through corner (x, y) once and samples the lights there until they have `end` samples.
     /// The next corners are `spacing` pixels away.
@@ -43,7 +53,9 @@ class Tracer {
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
     static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
+    static constexpr bool kLightKinds = (Features & kFeatureLightKinds) != 0;
     static constexpr bool kAbsorption = (Features & kFeatureAbsorption) != 0;
+    static constexpr bool kTells = (Features & kTelling) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
     static constexpr int kOtherPixels = 1 << 30;
     /// Of a pixel of side 1.
@@ -108,7 +120,7 @@ class Tracer {
     void gather(Path path, Sum& sum);
     template <class Sum>
     void follow(Path path, Sum& sum);
-    void addMiss(const Path& path, SampleSum& sum) const;
+    void addMiss(const Path& path, SampleSum& sum);
     void addMiss(const Path& path, ProbeSum& sum) const;
     void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
                 SampleSum& sum);
@@ -125,8 +137,16 @@ class Tracer {
                const Vec3& direction, double part, unsigned branch) const;
     ShadePoint pointAt(const Path& path, const SceneHit& hit) const;
 
+    /// What a telling Tracer writes down.
+    TracedRay& toldRay() { return told_.rays.back(); }
+    void tellRay(const Path& path);
+    void tellHit(const Path& path, const SceneHit& hit, const ShadePoint& point);
+    void tellLight(Index light, const Vec3& w, double reach, const Color& unhidden,
+                   const Share& visible, const ShadePoint& point);
+
     Color ownColor(const Path& path, const ShadePoint& point);
     Color lightFrom(Index light, const Path& path, const ShadePoint& point);
+    std::optional<LightView> viewOfLight(const Light& light, const Vec3& from) const;
     Color lightAlong(const LightRay& ray, double brightness, const Path& path,
                      const ShadePoint& point) const;
     void probeLight(Index light, const Path& path, double own, const SceneHit& hit,
@@ -176,6 +196,7 @@ class Tracer {
     std::vector<SceneHit> together_;
     OccluderCache occluderCache_;
     std::vector<LastBlocker> lastBlockers_;  ///< opaque ones, of each light
+    [[no_unique_address]] std::conditional_t<kTells, TracedSample, Nothing> told_;
 };
 
 }  // namespace rt

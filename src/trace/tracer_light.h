@@ -27,7 +27,7 @@ Color Tracer<Features>::ownColor(const Path& path, const ShadePoint& point) {
 template <unsigned Features>
 Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoint& point) {
     const Light& light = scene_.lights[index];
-    const std::optional<LightView> view = viewOf(light, point.position);
+    const std::optional<LightView> view = viewOfLight(light, point.position);
     if (!view) return Color(0.0);
     LightRay ray = view->onlyRay();
     if constexpr (kAreaLights) {
@@ -35,7 +35,16 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     }
     const Color local = lightAlong(ray, light.brightness, path, point);
     if (local == Color(0.0)) return local;
-    return visibilityOf(index, ray.w, ray.reach, path.media, point, nullptr) * local;
+    const Share visible =
+        visibilityOf(index, ray.w, view->reach(ray), path.media, point, nullptr);
+    if constexpr (kTells) tellLight(index, ray.w, view->reach(ray), local, visible, point);
+    return visible * local;
+}
+
+template <unsigned Features>
+std::optional<LightView> Tracer<Features>::viewOfLight(const Light& light, const Vec3& from) const {
+    if constexpr (kLightKinds) return viewOf(light, from);
+    return viewOfBall(light, from);
 }
 
 /// V from the point; where that is 0, from the rounded surface that a facet stands for, if nothing

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "light_mean.h"
+#include "rt/sampling/warp.h"
 #include "tracer.h"
 
 #include <cmath>
@@ -149,7 +150,7 @@ bool Tracer<Features>::allOpaque(const Occluders& occluders) const {
 template <unsigned Features>
 ShadowHull Tracer<Features>::hullTowards(const Light& light, const LightView& view,
                                          const Vec3& from, double margin) const {
-    if (light.kind != LightKind::kSun) return {from, margin, light.position, light.radius};
+    if (!kLightKinds || light.kind != LightKind::kSun) return {from, margin, light.position, light.radius};
     const double cosA = 1.0 - view.oneMinusCos;
     const double sinA = std::sqrt(view.oneMinusCos * (1.0 + cosA));
     const double length = ((scene_.tree.isEmpty() ? 0.0 : wayOut(from)) + margin) / cosA;
@@ -168,7 +169,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
                                   const ShadePoint& point, ProbeSum& sum) {
     const Light& light = scene_.lights[index];
     const std::uint64_t bit = std::uint64_t{1} << (sum.lightsSeen++ & 63);
-    const std::optional<LightView> view = viewOf(light, point.position);
+    const std::optional<LightView> view = viewOfLight(light, point.position);
     if (!view) return;
     const LightHorizon horizon = horizonOf(*view, point.geometricNormal, point.normal);
     if (horizon == LightHorizon::kBelow) {
@@ -180,7 +181,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         horizon == LightHorizon::kAbove && !point.fromInside &&
         liesBehindTangentPlane(scene_.shapes[scene_.instances[hit.instance].shape], hit.at);
     const double lift = point.isRounded() ? glm::length(point.shadowOrigin - point.position) : 0.0;
-    if (light.kind == LightKind::kSpot) {
+    if (kLightKinds && light.kind == LightKind::kSpot) {
         const SpotPlace place = placeInSpot(light, point.position, margin);
         if (place == SpotPlace::kEdge) sum.evidence->marks |= kProbeDetail;
         if (place == SpotPlace::kDark) {
@@ -241,7 +242,7 @@ typename Tracer<Features>::Share Tracer<Features>::probeOccluded(Index index, co
         }
         const Color local = lightAlong(ray, light.brightness, path, point);
         if (local == Color(0.0)) continue;
-        visible = visibilityOf(index, ray.w, ray.reach, path.media, point, &occluders);
+        visible = visibilityOf(index, ray.w, view.reach(ray), path.media, point, &occluders);
         const Color value = path.weight * own * visible * local;
         if (view.isPoint()) {
             sum.addToAll(value);

@@ -5,6 +5,19 @@
 
 namespace rt {
 
+constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
+                                      kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds;
+
+/// The features of the leanest variant that renders scenes with these. Glass needs all that mirrors
+/// need: total internal reflection. What absorbs is glass. One variant with everything is enough for
+/// the kinds of light.
+constexpr unsigned variantOf(unsigned features) {
+    if (features & kFeatureLightKinds) return kVariantFeatures;
+    features &= kVariantFeatures;
+    if (features & kFeatureAbsorption) features |= kFeatureRefraction;
+    return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
+}
+
 /// TraceKernel's functions of the same names.
 struct TracerVariant {
     void (*renderTile)(const RenderScene&, const TraceSettings&, const Tile&,

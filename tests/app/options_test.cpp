@@ -108,8 +108,13 @@ TEST_CASE("Every option reaches its field") {
          [](const Options& o) {
              return o.parameterFiles == Words{"a", "b"};
          }},
+        {{"--pixel", "3,0"}, [](const Options& o) { return o.pixel->x == 3 && o.pixel->y == 0; }},
         {{"--frames", "3-12"},
          [](const Options& o) { return o.frames->first == 3 && o.frames->last == 12; }},
+        {{"--subset", "4", "--frames", "3-12"},
+         [](const Options& o) {
+             return o.frames->last == 12 && o.subset->first == 4 && o.subset->last == 4;
+         }},
         {{"--frames", "7"},
          [](const Options& o) { return o.frames->first == 7 && o.frames->last == 7; }},
         {{"--frames", "1-1000000"}, [](const Options& o) { return o.frames->last == 1000000; }},

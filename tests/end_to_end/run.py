@@ -8,6 +8,8 @@ import glob, json, os, shutil, signal, struct, subprocess, sys, time, unittest, 
 from base import BALL, EVERYTHING, EndToEnd, TOP
 from documents import Documents, Parameters
 from installing import Installing
+from one_pixel import OnePixel
+from walkthroughs import Batches, Walkthroughs
 from writing_scenes import Dependencies, OnTerminal, Previewing, Watching
 
 PROJECT = ""
@@ -224,7 +226,7 @@ class Rendering(EndToEnd):
         "textures and bump maps": "texture look-ups and tangents", "area lights": "light samples",
         "lens": "lens samples", "meshes": "mesh trees and normal interpolation",
         "background image": "background image look-ups", "lights": "shadow rays",
-        "absorption": "what media absorb along each ray",
+        "absorption": "what media absorb along each ray", "light kinds": "what spots, suns and rectangles give",
     }
     USES = {
         "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
@@ -234,6 +236,8 @@ class Rendering(EndToEnd):
         "textures and bump maps": ("root:add_child(gr.sphere('b'), nil, gr.texture('white.png', {0, 0, 0}, 1))", []),
         "area lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0}, 1)", ["lights"]),
         "lights": ("lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0})", []),
+        "light kinds": ("lights[1] = gr.spot_light{position = {0, 9, 9}, direction = {0, -1, -1}, colour = {1, 1, 1}}",
+                        ["lights"]),
         "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
         "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
         "background image": ("gr.background('white.png')", []),
@@ -423,7 +427,7 @@ class Scenes(EndToEnd):
         self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
         render = json.loads(self.read("stats.json"))["renders"][0]
         for feature in ("reflection refraction lens meshes lights".split() +
-                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption"]):
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds"]):
             self.assertIn(feature, render["features"])
         self.assertEqual(render["skipped"], [])
         (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))
@@ -720,7 +724,7 @@ def main():
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards, Dependencies, Watching, Previewing,
-             Documents, Parameters, Installing, Golden, Comparing, Failures]
+             Documents, Parameters, Installing, OnePixel, Walkthroughs, Batches, Golden, Comparing, Failures]
     if sys.argv[2:3] == ["--only"]:
         cases = [case for case in cases if case.__name__.lower() in sys.argv[3:]]
     for case in cases:

@@ -85,6 +85,10 @@ CASES = [
     Case("A10", "a file of parameters with a name that nobody reads", PARAM, ("scene.lua", *QUIET, "--param-file", "p"), 1,
          r"p:1: error: unknown parameter 'm'", files={"p": "m = 3\n"}),
     *[usage("A11", "--frames " + f, "--frames", f, says="--frames") for f in ("10-1", "a-b", "1-", "-", "1.5-2")],
+    *[usage("A11", " ".join(words), *words, says="--subset")
+      for words in (("--subset", "2"), ("--frames", "1-5", "--subset", "0-2"), ("--frames", "1-5", "--subset", "5-6"),
+                    ("--frames", "1-5", "--subset", "3-2"))],
+    usage("A11", "frames into one file", "--frames", "1-2", "-o", "y.png", says=r"-o y\.png: .*put # into the name"),
     Case("A11", "--frames 1-1e12", BALL, ("scene.lua", *QUIET, "--frames", "1-1000000000000"), {2, 4}, "--frames"),
     *[Case("A13", "scene named " + repr(n), None, (n, *QUIET), files={n: BALL}, writes="x.png")
       for n in ("a b.lua", "h\u00e4\u00df\u65e5.lua", "new\nline.lua", "./-dash.lua", "quo'te\".lua")],

@@ -50,6 +50,10 @@ class RandomScene:
         if self.rng.random() < 0.15:
             return "gr.mesh(%s, 'file', {smooth = %s})" % (self.file("Model", self.rng.choice(MESHES), "obj"),
                                                           self.rng.choice(("true", "false", "30")))
+        if self.rng.random() < 0.2:
+            radii = [number(self.rng.uniform(0.1, 1.2)) for _ in range(2)]
+            return self.rng.choice(["gr.disc('d')", "gr.quad('q')", "gr.hemisphere('h')",
+                                    "gr.nh_frustum('f', {0, -0.5, 0}, 1.5, %s, %s)" % tuple(radii)])
         return Solid(self.rng.choice(KINDS), self.rng).lua()
 
     def look(self):
@@ -83,13 +87,29 @@ class RandomScene:
                 text += "groups[#groups + 1] = node\nchild = %s\nnode:add_child(child, materials[1])\n" % self.solid()
                 text += "again = gr.node('again')\nagain:translate(0, %s, -1)\nagain:add_child(child, materials[1])\nroot:add_child(again)\n" % number(
                     rng.uniform(-2, 2))
-        return text + self.maybe(0.6, "root:add_child(gr.nh_box('floor', {-9, -4, -12}, {18, 1, 18}), materials[1])\n")
+        floors = ["", "gr.nh_plane('floor', {0, -3, 0}, {0, 1, 0})", "gr.nh_box('floor', {-9, -4, -12}, {18, 1, 18})"]
+        floor = rng.choice(floors)
+        return text + ("root:add_child(%s, materials[1])\n" % floor if floor else "")
+
+    def light(self):
+        rng = self.rng
+        kind = rng.random()
+        if kind < 0.1:
+            return "gr.spot_light{position = %s, direction = %s, colour = %s, outer = %s, radius = %s}" % (
+                self.place(9), self.place(1), self.colour(), number(rng.uniform(5, 90)), number(rng.choice((0, 1))))
+        if kind < 0.2:
+            return "gr.sun_light{direction = %s, colour = %s, angle = %s}" % (
+                self.place(1), self.colour(), number(rng.choice((0, rng.uniform(0.1, 20)))))
+        if kind < 0.3:
+            return "gr.rectangle_light{corner = %s, u = %s, v = %s, colour = %s}" % (
+                self.place(6), self.place(2), self.place(2), self.colour())
+        return "gr.light(%s, %s, {1, 0, %s}, %s, %s)" % (
+            self.place(9), self.colour(), number(rng.choice((0, 0.02))), number(rng.choice((0, 0, rng.uniform(0.2, 2)))),
+            number(rng.choice((0, 0, 0.2))))
 
     def render(self):
         rng = self.rng
-        lights = ["gr.light(%s, %s, {1, 0, %s}, %s, %s)" % (
-            self.place(9), self.colour(), number(rng.choice((0, 0.02))), number(rng.choice((0, 0, rng.uniform(0.2, 2)))),
-            number(rng.choice((0, 0, 0.2)))) for _ in range(rng.choice((0, 1, 1, 2, 3)))]
+        lights = [self.light() for _ in range(rng.choice((0, 1, 1, 2, 3)))]
         eye = [rng.uniform(-3, 3), rng.uniform(-1, 5), rng.uniform(6, 10)]
         focal = self.maybe(0.25, ", gr.focal(%s, 0.1, %s)" % (number(rng.uniform(4, 11)), number(rng.uniform(0, 0.4))))
         return "gr.render(root, 'out.png', %d, %d, %s, %s, {0, 1, 0}, %s, %s, {%s}%s)\n" % (
@@ -106,8 +126,8 @@ class RandomScene:
         rng = self.rng
         options = ["--seed", str(rng.randrange(10 ** 6))]
         for chance, more in ((0.2, ["--filter", rng.choice(FILTERS)]), (0.15, ["--transfer", "srgb"]), (0.15, ["--bits", "16"]),
-                             (0.1, ["--reference"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
-                             (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 5))])):
+                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
+                             (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 4))])):
             if rng.random() < chance:
                 options += more
         return options + ["-o", "out." + rng.choice(("png", "png", "pfm", "exr"))]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""resume_kills.py [--kills N] [--seed N] [--project PATH]: kills renders at random moments, and goes on from them.
+"""resume_kills.py [--kills N] [--seed N] [--size WxH] [--project PATH]: kills renders at random moments, and goes on from them.
 
 Each of N renders (100) is ended by a random signal (half of them kill -9) at a random moment between its start and
 a little after the time that it takes, with random threads; one in three is killed again when it goes on. The last
@@ -18,7 +18,7 @@ gr.render(root, 'x.png', 240, 180, {0, 0, 5}, {0, 0, -1}, {0, 1, 0}, 50, {0.3, 0
           {gr.light({3, 5, 9}, {0.7, 0.7, 0.7}, {1, 0, 0}, 1), gr.light({-4, 2, 3}, {0.3, 0.3, 0.3}, {1, 0, 0})},
           gr.focal(5, 0.1, 0.2))
 """
-KINDS = {"--spp": ["--spp", "48"], "--error": ["--error", "0.0015"], "--crop": ["--error", "0.0015", "--crop", "30,20,150,120"],
+KINDS = {"--spp": ["--spp", "48"], "--error": ["--error", "0.0015"], "--crop": ["--error", "0.0015", "--crop", "9,7,50,40"],
          "--shard": ["--spp", "80", "--shard", "2/3"]}
 SIGNALS = [signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT]
 
@@ -27,6 +27,7 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10 ** 9))
+    parser.add_argument("--size", default="240x180", help="of the pictures: smaller ones for slower builds")
     parser.add_argument("--project", default=os.path.join(TOP, "Project"))
     return parser.parse_args()
 
@@ -92,7 +93,8 @@ def main():
     failures = []
     with tempfile.TemporaryDirectory() as around:
         wholes = {}
-        for kind, options in KINDS.items():
+        kinds = {kind: options + ["--size", arguments.size] for kind, options in KINDS.items()}
+        for kind, options in kinds.items():
             folder = folder_with_scene(around)
             began = time.monotonic()
             code, messages = run(project, folder, options + ["-j", "2"])
@@ -101,9 +103,9 @@ def main():
             wholes[kind] = (picture(folder), time.monotonic() - began)
         number = 0
         while sums["kills"] < arguments.kills:
-            kind = list(KINDS)[number % len(KINDS)]
+            kind = list(kinds)[number % len(kinds)]
             whole, seconds = wholes[kind]
-            trial = Trial(project, around, KINDS[kind], seconds, rng)
+            trial = Trial(project, around, kinds[kind], seconds, rng)
             wrong = trial.go() or (None if picture(trial.folder) == whole else "another picture")
             if wrong:
                 failures.append("%s, render %d, --seed %d: %s" % (kind, number, arguments.seed, wrong))

@@ -82,7 +82,9 @@ struct Options {
     std::optional<std::string> output;  ///< "-" is stdout
     std::optional<ImageSize> size;
     std::optional<Crop> crop;
+    std::optional<PixelPlace> pixel;  ///< whose rays are shown, instead of an image
     std::optional<FrameRange> frames;
+    std::optional<FrameRange> subset;  ///< of the frames, that are rendered; none: all
     std::optional<Shard> shard;
     std::vector<Aov> aovs;             ///< in the order of the table, each once
     std::optional<std::string> stats;  ///< file

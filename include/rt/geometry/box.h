@@ -19,6 +19,7 @@ namespace rt {
 
 class Box {
   public:
+    static constexpr const char* kName = "box";
     static constexpr SolidKind kKind{};
 
     /// Refuses sizes that are not > 0 and finite, and a corner that is not finite

@@ -21,6 +21,7 @@ namespace rt {
 
 class Cone {
   public:
+    static constexpr const char* kName = "cone";
     static constexpr SolidKind kKind{.axis = 1};
 
     /// Refuses a height or radius that is not > 0 and finite, and an apex that is not finite

@@ -21,6 +21,7 @@ namespace rt {
 
 class Cylinder {
   public:
+    static constexpr const char* kName = "cylinder";
     static constexpr SolidKind kKind{.axis = 1};
 
     /// Refuses a height or radius that is not > 0 and finite, and a base centre that is not finite

@@ -12,6 +12,7 @@ namespace rt {
 
 class Disc {
   public:
+    static constexpr const char* kName = "disc";
     static constexpr SolidKind kKind{.closed = false, .axis = 1};
 
     /// Refuses a radius that is not > 0 and finite (std::invalid_argument).

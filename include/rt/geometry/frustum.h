@@ -17,6 +17,7 @@ namespace rt {
 
 class Frustum {
   public:
+    static constexpr const char* kName = "frustum";
     static constexpr SolidKind kKind{.axis = 1};
 
     /// Refuses a height or radius that is not > 0 and finite, equal radii (a cylinder), and a base

@@ -16,6 +16,7 @@ namespace rt {
 
 class Hemisphere {
   public:
+    static constexpr const char* kName = "hemisphere";
     static constexpr SolidKind kKind{.axis = 1};
 
     /// Refuses a radius that is not > 0 and finite, and a centre that is not finite

@@ -13,6 +13,7 @@ namespace rt {
 
 class Plane {
   public:
+    static constexpr const char* kName = "plane";
     static constexpr SolidKind kKind{.closed = false, .bounded = false};
 
     Bounds bounds() const {

@@ -11,6 +11,7 @@ namespace rt {
 
 class Rectangle {
   public:
+    static constexpr const char* kName = "quad";
     static constexpr SolidKind kKind{.closed = false};
 
     /// Refuses sides that are not > 0 and finite (std::invalid_argument).

@@ -18,6 +18,7 @@ namespace rt {
 
 class Sphere {
   public:
+    static constexpr const char* kName = "sphere";
     static constexpr SolidKind kKind{};
 
     /// Refuses a radius that is not > 0 and finite, and a centre that is not finite

@@ -26,6 +26,7 @@ namespace rt {
 
 class Torus {
   public:
+    static constexpr const char* kName = "torus";
     static constexpr SolidKind kKind{.convex = false, .axis = 2};
 
     /// Refuses radii that are not > 0 and finite (std::invalid_argument).

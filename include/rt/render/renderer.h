@@ -44,6 +44,9 @@ struct RenderJob {
     double checkpointEvery = 0.0;
 };
 
+/// What the tracer is told in it.
+TraceSettings traceSettingsOf(const RenderJob& job);
+
 /// Where a render stood after a pass.
 struct PassRecord {
     std::uint64_t samples = 0;  ///< camera rays so far

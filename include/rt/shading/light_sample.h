@@ -15,8 +15,8 @@ namespace rt {
 /// One direction to a light, and what it brings with nothing in its way.
 struct LightRay {
     Vec3 w{0.0};            ///< unit
-    double reach = 0.0;     ///< distance to the light
     Color irradiance{0.0};  ///< on a surface that faces it, weight included
+    double reach = 0.0;     ///< distance to the light, of a rectangle
 };
 
 /// The cone that a light of radius R at distance d fills: sin A = R / d. From inside the light it
@@ -38,8 +38,9 @@ struct LightView {
     /// Distance along the unit direction w to the light's sphere; from inside, to where w leaves
     /// it.
     double reach(const Vec3& w) const;
+    double reach(const LightRay& ray) const { return rectangle ? ray.reach : reach(ray.w); }
     /// The one direction of a point.
-    LightRay onlyRay() const { return {axis, distance, weight * irradiance}; }
+    LightRay onlyRay() const { return {axis, weight * irradiance}; }
     /// From `from`, by a point of the unit square: uniform in the cone, or on a rectangle's area.
     LightRay ray(const Vec2& u, const Vec3& from) const;
 };
@@ -84,8 +85,7 @@ inline double LightView::reach(const Vec3& w) const {
 inline LightRay LightView::ray(const Vec2& u, const Vec3& from) const {
     if (rectangle) [[unlikely]]
         return rayToRectangle(*this, u, from);
-    const Vec3 w = coneDirection(axis, oneMinusCos, u);
-    return {w, reach(w), weight * irradiance};
+    return {coneDirection(axis, oneMinusCos, u), weight * irradiance};
 }
 
 /// Where a ball about a point lies to the cones of a spot: all of it in the full light, all of it

@@ -42,6 +42,8 @@ Bounds boundsOf(const Shape& shape);
 
 /// What its form is; a mesh is taken for not convex.
 SolidKind kindOf(const Shape& shape);
+/// "sphere", for people.
+const char* nameOf(const Shape& shape);
 
 /// What a surface does with light, all of it resolved.
 struct Look {
@@ -69,10 +71,11 @@ struct Instance {
     Index look = 0;
     /// Order of creation: of overlapping solids, the one of highest order decides the index.
     Index order = 0;
-    /// Bounds a solid; refracting objects that do not are sheets.
-    bool closed = true;
+    Index node = 0;  ///< of the description, that it places
     /// Lengths in object space for lengths in the world; 0 where they depend on the direction.
     double objectScale = 0.0;
+    /// Bounds a solid; refracting objects that do not are sheets.
+    bool closed = true;
     /// Whether boxes in double precision hold under the transform (kBoxedCondition).
     bool boxed = true;
 };
@@ -97,7 +100,8 @@ enum Feature : unsigned {
     kFeatureLens = 1u << 4,
     kFeatureMeshes = 1u << 5,
     kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
-    kFeatureMotion = 1u << 7,
+    kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
+    kFeatureMotion = 1u << 8,
 };
 
 struct Background {

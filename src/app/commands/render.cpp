@@ -4,6 +4,7 @@
 #include "dependency_file.h"
 #include "interrupts.h"
 #include "output_names.h"
+#include "pixel_report.h"
 #include "rt/app/commands.h"
 #include "rt/app/progress.h"
 #include "rt/app/stats.h"
@@ -100,6 +101,7 @@ class Batch {
             if (code != 0 && (options_.failFast || Interrupts::exitCode() != 0)) break;
         }
         if (isStale()) return code_;
+        if (options_.pixel) return code_;
         if (options_.stats) noteIfAny(writeStats(*options_.stats, stats_));
         // Of a run that failed not all is known: make tries again by the older rules.
         if (options_.deps && code_ == 0 && !left_)
@@ -125,7 +127,8 @@ class Batch {
         images_ = 0;
         int code = 0;
         try {
-            const FrameRange frames = options_.frames.value_or(FrameRange{});
+            const FrameRange all = options_.frames.value_or(FrameRange{});
+            const FrameRange frames = options_.subset.value_or(all);
             for (std::int64_t frame = frames.first; frame <= frames.last; ++frame) {
                 runScene(scene, frame, diagnostics);
             }
@@ -164,7 +167,8 @@ class Batch {
         for (const auto& file : {options_.stats, options_.deps}) {
             if (file) refuseOverwriting(*file, script.filesRead);
         }
-        for (std::size_t i = 0; i < outputs.size() && !options_.check; ++i) {
+        const bool writes = !options_.check && !options_.pixel;
+        for (std::size_t i = 0; i < outputs.size() && writes; ++i) {
             for (const std::string& file : filesOf(outputs[i])) {
                 refuseOverwriting(file, script.filesRead);
             }
@@ -203,6 +207,7 @@ class Batch {
         if (options_.explain) progress_.message(explanation(prepared.scene));
         if (options_.check) return;
         if (isStale()) throw Left{};
+        if (options_.pixel) return showPixel(desc, prepared, output);
         const auto traits = [&] {
             return traitsOf(options_, prepared.options, script, index, frame);
         };
@@ -243,6 +248,17 @@ class Batch {
         if (left) throw Left{};
     }
 
+    void showPixel(const SceneDesc& desc, const PreparedScene& prepared,
+                   const std::string& output) {
+        progress_.startImage();
+        const PixelTrace trace = renderer_.renderPixel(prepared, listener());
+        progress_.abandon();
+        if (trace.cancelled) throw Left{};
+        reportPixel(trace, prepared.scene, desc, output,
+                    [](const std::string& text) { std::fputs(text.c_str(), stdout); });
+        if (std::fflush(stdout) != 0) throw OutputError("standard output cannot be written");
+    }
+
     /// Where the picture is a file, the same in every run, and nobody looks on.
     void keepCheckpoint(const ScriptResult& script, const std::string& file,
                         const PreparedScene& prepared, std::function<std::vector<Trait>()> traits) {
@@ -268,20 +284,25 @@ class Batch {
                            [](const RunFollower* follower) { return follower->isStale(); });
     }
 
+    RenderListener listener() {
+        RenderListener told;
+        told.onProgress = [this](double share) { progress_.update(share); };
+        told.onEstimate = [this](double error) { progress_.estimate(error); };
+        for (RunFollower* follower : followers_) follower->listen(told);
+        return told;
+    }
+
     Picture rendered(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                      Diagnostics& diagnostics) {
-        RenderListener listener;
-        listener.onProgress = [this](double share) { progress_.update(share); };
-        listener.onEstimate = [this](double error) { progress_.estimate(error); };
-        for (RunFollower* follower : followers_) follower->listen(listener);
+        RenderListener told = listener();
         if (checkpoint_) {
-            checkpoint_->listen(listener);
-            listener.onCheckpoint = [this, save = std::move(listener.onCheckpoint)] {
+            checkpoint_->listen(told);
+            told.onCheckpoint = [this, save = std::move(told.onCheckpoint)] {
                 save();
                 if (Interrupts::isSnapshotAsked()) checkpoint_->pause();
             };
         }
-        return renderer_.render(desc, index, prepared, listener, diagnostics);
+        return renderer_.render(desc, index, prepared, told, diagnostics);
     }
 
     void save(const Picture& picture, const std::string& output) {
@@ -333,6 +354,7 @@ class Batch {
     }
 
     static void printParameters(const ScriptResult& script) {
+        if (script.parameters.empty()) std::puts("# The scene reads no parameters.");
         std::fputs(parameterFileText(script.parameters).c_str(), stdout);
     }
 

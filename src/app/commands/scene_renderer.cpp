@@ -33,7 +33,7 @@ ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
     settings.legacyTransforms = options.legacyTransforms;
     settings.memoryLimit = options.scriptMemory;
     settings.timeLimit = options.scriptTime;
-    settings.printToStderr = options.output == "-";
+    settings.printToStderr = options.output == "-" || options.pixel;
     return settings;
 }
 
@@ -147,7 +147,8 @@ PreparedScene SceneRenderer::prepare(const SceneDesc& desc, std::size_t index,
 Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
                               const PreparedScene& prepared, const RenderListener& listener,
                               Diagnostics& diagnostics) const {
-    const RenderOutcome outcome = rendered(prepared.scene, prepared.options, listener);
+    const RenderOutcome outcome =
+        rt::render(prepared.scene, jobFor(prepared.scene, prepared.options, listener));
     warnOfNonFinite(outcome.counts, desc.renders[index], diagnostics);
     Picture picture;
     picture.settings = imageSettings(prepared.options);
@@ -165,6 +166,23 @@ Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
     picture.nonFinite = outcome.counts.nonFinite;
     warnIfNotConverged(picture.stats, desc.renders[index], diagnostics);
     return picture;
+}
+
+PixelTrace SceneRenderer::renderPixel(const PreparedScene& prepared,
+                                      const RenderListener& listener) const {
+    const RenderScene& scene = prepared.scene;
+    const PixelPlace place = *options_.pixel;
+    if (place.x >= scene.width || place.y >= scene.height) {
+        throw UsageError("--pixel " + std::to_string(place.x) + "," + std::to_string(place.y) +
+                         ": the image has " + std::to_string(scene.width) + "x" +
+                         std::to_string(scene.height) + " pixels, counted from 0");
+    }
+    if (prepared.options.time) {
+        throw UsageError("--pixel needs --spp or --error: --time gives other pixels in every run");
+    }
+    const RenderJob job = jobFor(scene, prepared.options, listener);
+    const RenderOutcome outcome = rt::render(scene, job);
+    return {place, outcome.film.at(place.x, place.y), traceSettingsOf(job), outcome.cancelled};
 }
 
 std::vector<ImagePlane> SceneRenderer::planesBeside(const RenderOutcome& outcome,
@@ -277,8 +295,8 @@ void SceneRenderer::refuseTooManyPixels(const RenderDesc& render) const {
                      render.where);
 }
 
-RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOptions& options,
-                                      const RenderListener& listener) const {
+RenderJob SceneRenderer::jobFor(const RenderScene& scene, const RenderOptions& options,
+                                const RenderListener& listener) const {
     const SamplingGoal goal = samplingGoal(options);
     RenderJob job;
     job.settings = goal.trace;
@@ -286,7 +304,7 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.adaptive = goal.adaptive;
     // Towards an error target a pixel's samples depend on the whole image's error.
     job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
-    job.shard = options_.shard.value_or(Shard{});
+    if (!options_.pixel) job.shard = options_.shard.value_or(Shard{});
     job.wantsPixelErrors =
         std::find(options_.aovs.begin(), options_.aovs.end(), Aov::kError) != options_.aovs.end();
     job.threads = threads_;
@@ -300,10 +318,14 @@ RenderOutcome SceneRenderer::rendered(const RenderScene& scene, const RenderOpti
     job.log = listener.log;
     job.onCheckpoint = listener.onCheckpoint;
     job.checkpointEvery = listener.checkpointEvery;
-    return rt::render(scene, job);
+    return job;
 }
 
 Tile SceneRenderer::areaOf(const RenderScene& scene) const {
+    if (options_.pixel) {
+        const PixelPlace& at = *options_.pixel;
+        return {at.x, at.y, at.x + 1, at.y + 1};
+    }
     if (!options_.crop) return wholeOf(scene);
     const Crop crop = clipped(*options_.crop, scene.width, scene.height).first;
     return {crop.x0, crop.y0, crop.x1, crop.y1};

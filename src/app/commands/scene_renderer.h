@@ -37,6 +37,14 @@ struct Picture {
     std::uint64_t nonFinite = 0;  ///< samples; they count as black
 };
 
+/// One pixel of a picture, and what its samples were taken with.
+struct PixelTrace {
+    PixelPlace place;
+    PixelState state;
+    TraceSettings settings;
+    bool cancelled = false;
+};
+
 /// Who is told how a render goes; see RenderJob. None of them need be there.
 struct RenderListener {
     std::function<void(double share)> onProgress;
@@ -74,6 +82,10 @@ class SceneRenderer {
     Picture render(const SceneDesc& desc, std::size_t index, const PreparedScene& prepared,
                    const RenderListener& listener, Diagnostics& diagnostics) const;
 
+    /// The pixel that the options name, as the picture has it. UsageError where there is none, or
+    /// where time decides.
+    PixelTrace renderPixel(const PreparedScene& prepared, const RenderListener& listener) const;
+
     /// What was loaded from a file is loaded again.
     void forget(const std::string& file) { assets_.forgetFile(file); }
 
@@ -82,8 +94,8 @@ class SceneRenderer {
                          Diagnostics& diagnostics);
     void checkShard(const RenderDesc& render) const;
     void refuseTooManyPixels(const RenderDesc& render) const;
-    RenderOutcome rendered(const RenderScene& scene, const RenderOptions& options,
-                           const RenderListener& listener) const;
+    RenderJob jobFor(const RenderScene& scene, const RenderOptions& options,
+                     const RenderListener& listener) const;
     std::vector<ImagePlane> planesBeside(const RenderOutcome& outcome,
                                          const PreparedScene& prepared, const Tile& area) const;
     PartTile partTileOf(const RenderOutcome& outcome, const PreparedScene& prepared,

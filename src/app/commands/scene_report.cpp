@@ -27,6 +27,8 @@ constexpr FeatureText kTexts[] = {
     {kFeatureImages, "textures and bump maps", "texture look-ups and tangents",
      "no object has a texture or a bump map"},
     {kFeatureAreaLights, "area lights", "light samples", "every light is a point"},
+    {kFeatureLightKinds, "light kinds", "what spots, suns and rectangles give",
+     "every light is a gr.light"},
     {kFeatureLens, "lens", "lens samples", "no gr.focal with a lens radius above 0"},
     {kFeatureMeshes, "meshes", "mesh trees and normal interpolation", "no gr.mesh is placed"},
 };
