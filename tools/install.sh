@@ -30,5 +30,5 @@ printed bash-completion "$prefix/share/bash-completion/completions/Project"
 printed zsh-completion "$zsh/_Project"
 printed stubs "$share/stubs/gr.lua"
 # Links between the documentation, the scenes and their meshes and images stay what they are.
-tar -c --exclude=__pycache__ README.md Documentation scenes Assets project.lua | tar -x --no-same-owner -C "$share"
+tar -c --exclude=__pycache__ README.md Documentation scenes Assets project.lua tools/slurm_array.sh | tar -x --no-same-owner -C "$share"
 chmod -R u=rwX,go=rX "$share"

@@ -3,7 +3,7 @@
 #   that merges them into IMAGE when all are done.
 # slurm_array.sh frames A-B IMAGE SCENE [OPTION...]: submits each frame of an animation as a task; IMAGE has ####.
 # Only what is missing is submitted: run the same line again for tasks that failed. Prints the numbers of the jobs.
-# PROJECT (./Project) is the program, CPUS (1) the cores of a task; sbatch reads SBATCH_PARTITION and the like. All
+# PROJECT (./Project, or an installed one) is the program, CPUS (1) the cores of a task; sbatch reads SBATCH_PARTITION and the like. All
 # nodes must see the folder.
 set -eu
 
@@ -15,6 +15,7 @@ image=$3
 scene=$4
 shift 4
 project=${PROJECT:-./Project}
+[ -n "${PROJECT:-}" ] || [ -x "$project" ] || project=Project
 command -v "$project" > /dev/null || fail "$project is no program; PROJECT names it"
 command -v sbatch > /dev/null || fail "sbatch is missing: is this a machine that submits to Slurm?"
 stem=${image%.*}

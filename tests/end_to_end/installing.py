@@ -21,7 +21,8 @@ class Installing(EndToEnd):
         for name in ("bin/Project", "lib/project/librt_oiio.so", "lib/project/librt_preview.so",
                      "share/man/man1/Project.1", "share/bash-completion/completions/Project",
                      "share/zsh/site-functions/_Project", "share/project/stubs/gr.lua", "share/project/README.md",
-                     "share/project/Documentation/scene_language.md", "share/project/scenes/room.lua"):
+                     "share/project/Documentation/scene_language.md", "share/project/scenes/room.lua",
+                     "share/project/tools/slurm_array.sh"):
             self.assertIn(name, files)
         # Elsewhere than the prefix says: the plugins lie by the program.
         shutil.move(self.path("opt/project"), self.path("moved"))

@@ -119,7 +119,7 @@ class Dependencies(EndToEnd):
 class Followed(EndToEnd):
     """The program while it runs."""
 
-    QUIET = r"Watching \d+ files"
+    QUIET = r"Watching \d+ files?;"
 
     def start(self, *args, command=()):
         time.sleep(0.05)  # what is written in the tick in which a run begins is read again
@@ -195,6 +195,15 @@ class Watching(Followed):
         self.hear(self.QUIET)
         self.assertNotEqual(self.read("x.png"), before)
         self.assertLess(self.interrupt(), PROMPT)
+
+    def test_a_scene_alone_is_one_file(self):
+        self.write("scene.lua", BALL)
+        self.start("./scene.lua", "--spp", "1", "--watch")
+        self.hear("Watching 1 file;")
+        self.write("scene.lua", BALL + "-- changed")
+        self.assertNotIn("...", self.hear("Changed: .*"))
+        self.hear(self.QUIET)
+        self.interrupt()
 
     def test_an_error_keeps_the_image_and_shows_its_line(self):
         self.prepare()

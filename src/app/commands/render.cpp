@@ -411,8 +411,9 @@ int watched(Batch& batch, PreviewBoard* board) {
         watcher.endRound();
         if (board) board->endRound();
         if (!watcher.isStale()) {
-            batch.tell("Watching " + std::to_string(watcher.fileCount()) +
-                       " files; renders again when one changes; Ctrl-C ends");
+            const std::size_t files = watcher.fileCount();
+            batch.tell("Watching " + std::to_string(files) + (files == 1 ? " file" : " files") +
+                       "; renders again when one changes; Ctrl-C ends");
         }
         const std::vector<std::string> changed = watcher.changes();
         batch.tell("Changed: " + printable(changed.front(), 300) +

@@ -53,7 +53,9 @@ std::vector<std::string> Watcher::changes() {
 void Watcher::ranScript(const std::string& scene, const ScriptFiles& files) {
     // By its own name, too: a link may come to lead elsewhere, and a file that is missing has no
     // other.
-    files_.add({scene});
+    std::error_code failed;
+    const auto named = std::filesystem::absolute(scene, failed).lexically_normal();
+    files_.add({failed ? scene : named.string()});
     files_.add(files.read);
     files_.add(files.absent);
 }
