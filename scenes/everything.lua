@@ -1,4 +1,4 @@
--- Everything at once: a mirror, a cup of tea, a glass of water, textures and bumps, two sphere lights,
+-- Everything at once: a mirror, a cup of tea, a glass of water, textures and bumps, two sphere lights, a spot,
 -- a lens, meshes, instances and a panorama.
 -- Look at: the focus lies on the cup; the mirror shows the table's other side, out of focus; both
 -- lights' shadows are soft, those of the glass light; the wall's bricks are bumps only.
@@ -96,7 +96,7 @@ studded:scale(0.55, 0.55, 0.55)
 studded:translate(3.1, 0.55, -2.5)
 root:add_child(studded, brass, nil, gr.bumpmap('studs_normal.png'))
 
--- A string of pearls, one ball in forty places, lies around the cup.
+-- A string of pearls, one ball in forty places, lies around the cup; the last one rolls.
 local pearl = gr.sphere('pearl')
 pearl:scale(0.085, 0.085, 0.085)
 for i = 0, 39 do
@@ -105,6 +105,7 @@ for i = 0, 39 do
     local place = gr.node('place ' .. i)
     place:translate(r * math.cos(a) - 0.1, 0.085, r * math.sin(a) * 0.9 + 0.15)
     place:add_child(pearl, china)
+    if i == 39 then place:move(0.09, 0, 0.03) end
     root:add_child(place)
 end
 

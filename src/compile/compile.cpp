@@ -34,13 +34,13 @@ double largest(const Bounds& bounds) {
 }
 
 /// The world box of a placed shape; met by no ray where a tree leaves it out, by all where the way
-/// to object space may be off by more than boxes allow for.
-PaddedBox worldBox(const Instance& instance, const Bounds& local, const Bounds& world) {
+/// to object space may be off by more than boxes allow for. `around` holds all that the map makes
+/// of points as far from the origin as the shape's.
+PaddedBox worldBox(const Instance& instance, const Bounds& around, const Bounds& world) {
     const Vec3 extent = world.extent();
     if (world.isEmpty() || !(extent.x + extent.y + extent.z < kInfinity)) return {};
     if (!instance.boxed) return {world, kInfinity};
-    const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
-    return {world, largest(instance.transform.boundsToWorld({-reach, reach}))};
+    return {world, largest(around)};
 }
 
 constexpr Bounds kEverywhere{Vec3(-kInfinity), Vec3(kInfinity)};
@@ -92,9 +92,22 @@ class Compiler {
         const SolidKind kind = kindOf(out_.shapes[instance.shape]);
         instance.closed = kind.closed;
         if (!kind.bounded) out_.unbounded.push_back(static_cast<Index>(out_.instances.size()));
+        if (placed.motion != Vec3(0.0)) addMotion(node, placed);
         instance.look = lookOf(placed, instance.closed);
         instance.order = instance.node = placed.node;
         out_.instances.push_back(instance);
+    }
+
+    /// Of the instance that is about to be added.
+    void addMotion(const NodeDesc& node, const PlacedNode& placed) {
+        out_.moving.push_back(
+            {static_cast<Index>(out_.instances.size()), placed.toWorld, placed.motion});
+        Transform end;
+        if (!Transform::make(mapAt(out_.moving.back(), 1.0), end)) {
+            throw SceneError("node '" + printable(node.name, 80) + "' moves out of all bounds",
+                             node.where);
+        }
+        out_.features |= kFeatureMotion;
     }
 
     bool placeInstance(const NodeDesc& node, const Affine& toWorld, Transform& out) {
@@ -256,15 +269,26 @@ class Compiler {
             out_.shapeBoxes.push_back({boundsOf(shape), 0.0});
         }
         boxes.reserve(out_.instances.size());
+        auto moving = out_.moving.begin();
         for (Instance& instance : out_.instances) {
             const Bounds local = boundsOf(out_.shapes[instance.shape]);
             const bool bounded = kindOf(out_.shapes[instance.shape]).bounded;
             // The tree leaves out what has no finite box.
             boxes.push_back(bounded ? instance.transform.boundsToWorld(local) : kEverywhere);
+            const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
+            Bounds around = instance.transform.boundsToWorld({-reach, reach});
+            if (moving != out_.moving.end() && moving->instance == boxes.size() - 1) {
+                Transform end;
+                if (bounded && Transform::make(mapAt(*moving, 1.0), end)) {
+                    boxes.back().unite(end.boundsToWorld(local));
+                    around.unite(end.boundsToWorld({-reach, reach}));
+                }
+                ++moving;
+            }
             instance.boxed = !(instance.transform.condition() > kBoxedCondition);
             const double thickness = thicknessOf(out_, instance);
             if (thickness > 0.0) out_.thinnest = std::min(out_.thinnest, thickness);
-            if (few) padded.push_back(worldBox(instance, local, boxes.back()));
+            if (few) padded.push_back(worldBox(instance, around, boxes.back()));
             if (out_.looks[instance.look].refracts && instance.closed) {
                 out_.refractingBounds.unite(boxes.back());
             }

@@ -62,20 +62,22 @@ void forEachPlaced(const SceneDesc& scene, Index root, std::size_t render,
     struct Pending {
         Index node;
         Affine toParent;
+        Vec3 motion;
         AppearanceDesc edge;
     };
-    std::vector<Pending> stack{{root, {}, {}}};
+    std::vector<Pending> stack{{root, {}, Vec3(0.0), {}}};
     while (!stack.empty()) {
         const Pending here = stack.back();
         stack.pop_back();
         const NodeDesc& node = scene.nodes[here.node];
         const NodeState& state = node.at(render);
         const Affine toWorld = compose(here.toParent, state.transform);
+        const Vec3 motion = here.motion + here.toParent.vector(state.motion);
         if (node.geometry != kNone) {
-            visit({here.node, toWorld, over(here.edge, state.appearance)});
+            visit({here.node, toWorld, motion, over(here.edge, state.appearance)});
         }
         for (auto edge = state.children.rbegin(); edge != state.children.rend(); ++edge) {
-            stack.push_back({edge->child, toWorld, edge->appearance});
+            stack.push_back({edge->child, toWorld, motion, edge->appearance});
         }
     }
 }

@@ -44,7 +44,8 @@ bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
 /// Corners can stand for pixels where a pixel is the plain mean of what is seen through it.
 bool mayShareCorners(const RenderScene& scene, const RenderJob& job) {
     return job.adaptive && job.settings.sampler == SamplerKind::kJoint &&
-           job.settings.filter == FilterKind::kBox && !scene.camera.hasLens();
+           job.settings.filter == FilterKind::kBox && !scene.camera.hasLens() &&
+           scene.moving.empty();
 }
 
 /// Samples of the lights that a corner gets first.

@@ -58,6 +58,14 @@ void multiply(Call& call, const Affine& map, bool flattens) {
         call.scene.fail("the node's matrix has no finite inverse any more");
     }
     state.transform = product;
+    if (!legacy) state.motion = map.vector(state.motion);
+}
+
+CallResult move(Call& call) {
+    NodeState& state = call.scene.edit(call.object(0));
+    const Vec3 by(call.number(1), call.number(2), call.number(3));
+    state.motion += call.scene.settings().legacyTransforms ? state.transform.vector(by) : by;
+    return {};
 }
 
 CallResult rotate(Call& call) {
@@ -120,6 +128,10 @@ std::vector<CallRow> nodeCalls() {
          "Moves the node.",
          {{{kNode, number("dx", "Along x."), number("dy", "Along y."), number("dz", "Along z.")},
            translate}}},
+        {"move",
+         "Has the node move straight on by this much while the shutter is open.",
+         {{{kNode, number("dx", "Along x."), number("dy", "Along y."), number("dz", "Along z.")},
+           move}}},
         {"scale",
          "Scales the node about the origin; negative factors mirror it.",
          {{{kNode, number("sx", "Along x."), number("sy", "Along y."), number("sz", "Along z.")},

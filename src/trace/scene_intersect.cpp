@@ -150,6 +150,22 @@ template <class Test>
     });
 }
 
+/// The same for what has no box; out of the way of scenes that have no such thing.
+template <class Test>
+[[gnu::noinline]] double nearestUnbounded(const RenderScene& scene, Interval range,
+                                          const Test& test) {
+    for (const Index item : scene.unbounded) range.max = std::min(range.max, test(item, range));
+    return range.max;
+}
+
+template <class Test>
+[[gnu::noinline]] bool anyUnbounded(const RenderScene& scene, const Test& test) {
+    for (const Index item : scene.unbounded) {
+        if (test(item)) return true;
+    }
+    return false;
+}
+
 /// Bit i: the ray meets the box of instance i, at `entries[i]` first.
 [[gnu::always_inline]] inline unsigned metOfFew(const RenderScene& scene, const SlabRay& slabs,
                                                 Interval range, double* entries) {
@@ -168,7 +184,8 @@ template <class Test>
 template <class Test>
 [[gnu::always_inline]] inline void visitNearFirst(const RenderScene& scene, const Ray& ray,
                                                   Interval range, const Test& test) {
-    for (const Index item : scene.unbounded) range.max = std::min(range.max, test(item, range));
+    if (!scene.unbounded.empty()) [[unlikely]]
+        range.max = nearestUnbounded(scene, range, test);
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {
@@ -193,9 +210,8 @@ template <class Test>
 template <class Test>
 [[gnu::always_inline]] inline bool visitUntil(const RenderScene& scene, const Ray& ray,
                                               Interval range, const Test& test) {
-    for (const Index item : scene.unbounded) {
-        if (test(item)) return true;
-    }
+    if (!scene.unbounded.empty() && anyUnbounded(scene, test)) [[unlikely]]
+        return true;
     SlabRay slabs;
     const bool made = slabs.make(ray);
     if (!made || scene.quads.empty()) {

@@ -14,6 +14,7 @@
 #include "shadow_hull.h"
 
 #include <algorithm>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -111,6 +112,8 @@ class Tracer {
     };
 
     Path pathThrough(const Vec2& at);
+    /// Puts what moves where it is at time s.
+    void turnTo(double s);
     void look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe);
     /// All values along the tree of paths that starts with `path`.
     template <class Sum>
@@ -179,6 +182,8 @@ class Tracer {
         return scene_.looks[scene_.instances[instance].look];
     }
 
+    /// The scene as of one moment, where something moves.
+    std::unique_ptr<RenderScene> moment_;
     const RenderScene& scene_;
     const TraceSettings& settings_;
     TraceCounts& counts_;

@@ -20,7 +20,8 @@ namespace rt {
 template <unsigned Features>
 Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings,
                          TraceCounts& counts)
-    : scene_(scene),
+    : moment_(scene.moving.empty() ? nullptr : std::make_unique<RenderScene>(scene)),
+      scene_(moment_ ? *moment_ : scene),
       settings_(settings),
       counts_(counts),
       sampler_({settings.sampler, settings.filter, settings.seed, settings.spp}),
@@ -29,6 +30,8 @@ Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings
 template <unsigned Features>
 Color Tracer<Features>::sample(int x, int y, int index) {
     sampler_.start(x, y, index);
+    if (moment_) [[unlikely]]
+        turnTo(sampler_.time());
     const FilterSample at = sampler_.pixel();
     const Vec2 lens = scene_.camera.hasLens() ? concentricDisc(sampler_.lens()) : Vec2(0.0);
     Path path;
@@ -46,6 +49,15 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     SampleSum sum;
     gather(std::move(path), sum);
     return at.weight * sum.value;
+}
+
+template <unsigned Features>
+void Tracer<Features>::turnTo(double s) {
+    for (const Motion& motion : moment_->moving) {
+        Transform& transform = moment_->instances[motion.instance].transform;
+        // The scene's compiler made sure that there is one at both ends.
+        if (Transform now; Transform::make(mapAt(motion, s), now)) transform = now;
+    }
 }
 
 template <unsigned Features>

@@ -26,6 +26,8 @@ void Tracer<Features>::probeCentre(int x, int y, std::uint32_t end, Probe& probe
 /// The path through an image point and the centre of the lens, which stands for a whole pixel.
 template <unsigned Features>
 typename Tracer<Features>::Path Tracer<Features>::pathThrough(const Vec2& at) {
+    constexpr double kMiddle = 0.5;
+    if (moment_) turnTo(kMiddle);
     Path path;
     path.ray = scene_.camera.ray(at.x, at.y, Vec2(0.0));
     if constexpr (kImages) {

@@ -42,6 +42,7 @@ FEATURES = {
     "meshes": "root:add_child(gr.mesh('far', {{0, 900, 900}, {1, 900, 900}, {0, 901, 900}}, {{0, 1, 2}}), grey)",
     "reflection": "far:set_reflection(0.5) root:add_child(far, grey)",
     "refraction": "far:set_refraction(1.5, 0.5) root:add_child(far, grey)",
+    "motion blur": "far:move(0, 0, 1) root:add_child(far, grey)",
     "absorption": "far:set_refraction(1.5, 0.5) far:set_absorption{1, 0, 0} root:add_child(far, grey)",
 }
 # An object more in the scene, whatever it is made of, costs too: those that add one are set beside this.

@@ -130,7 +130,9 @@ std::string SceneWriter::appearance() {
 
 std::string SceneWriter::change() {
     const std::string of = ", " + name('n');
-    switch (below(10)) {
+    switch (below(11)) {
+        case 9:
+            return "gr.move" + of + ", " + number(-2, 2) + ", " + number(-2, 2) + ", 0";
         case 0:
             return "gr.translate" + of + ", " + number(-3, 3) + ", " + number(-3, 3) + ", 0";
         case 1: {

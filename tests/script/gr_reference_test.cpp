@@ -40,6 +40,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"joint", "gr.joint('a', {0, 1, 2}, {0, 1, 2})"},
         {"rotate", "gr.rotate(ball, 'x', 1)"},
         {"translate", "ball:translate(1, 2, 3)"},
+        {"move", "ball:move(1, 2, 3)"},
         {"scale", "ball:scale(1, 2, 3)"},
         {"add_child", "group:add_child(ball)"},
         {"sphere", "gr.sphere('a')"},

@@ -12,7 +12,7 @@ namespace rt {
 void* allocateLarge(std::size_t bytes);
 void freeLarge(void* memory) noexcept;
 
-/// `count` elements of a trivial type, not initialised.
+/// `count` elements of a trivial type, not initialised. Copies share them.
 template <class T>
 class LargeArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -20,7 +20,7 @@ class LargeArray {
   public:
     LargeArray() = default;
     explicit LargeArray(std::size_t count)
-        : data_(count > 0 ? static_cast<T*>(allocateLarge(count * sizeof(T))) : nullptr),
+        : data_(count > 0 ? static_cast<T*>(allocateLarge(count * sizeof(T))) : nullptr, Free()),
           size_(count) {}
 
     T* data() { return data_.get(); }
@@ -34,7 +34,7 @@ class LargeArray {
     struct Free {
         void operator()(T* memory) const noexcept { freeLarge(memory); }
     };
-    std::unique_ptr<T, Free> data_;
+    std::shared_ptr<T> data_;
     std::size_t size_ = 0;
 };
 

@@ -57,6 +57,10 @@ class Sampler {
     /// A point of the unit square for the lens.
     Vec2 lens() const { return point(SobolPair::kLens, 1); }
 
+    /// A moment of the shutter, 0 .. 1. Its stream is one that no light has: their nodes begin
+    /// at 1.
+    double time() const { return point(SobolPair::kLight, 2).x; }
+
     /// A point of the unit square for a light as seen from a node of the tree of paths.
     Vec2 light(std::uint32_t node, std::uint32_t light) const {
         constexpr std::uint64_t kFirstLight = 2;

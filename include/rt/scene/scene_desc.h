@@ -96,6 +96,7 @@ struct RefractionDesc {
 
 struct NodeState {
     Affine transform;
+    Vec3 motion{0.0};  ///< added to the transform's translation while the shutter is open
     AppearanceDesc appearance;
     std::optional<double> reflection;  ///< weight of the own colour beside the mirror image
     std::optional<RefractionDesc> refraction;

@@ -80,6 +80,17 @@ struct Instance {
     bool boxed = true;
 };
 
+/// An instance that moves straight on while the shutter is open: at time s, in 0 .. 1, its map is
+/// `start` with s `by` added to the translation.
+struct Motion {
+    Index instance = 0;
+    Affine start;
+    Vec3 by{0.0};
+};
+
+/// Where it is at time s.
+Affine mapAt(const Motion& motion, double s);
+
 /// What this scene uses; the renderer's variant is chosen by it.
 enum Feature : unsigned {
     kFeatureReflection = 1u << 0,
@@ -90,6 +101,7 @@ enum Feature : unsigned {
     kFeatureMeshes = 1u << 5,
     kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
     kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
+    kFeatureMotion = 1u << 8,
 };
 
 struct Background {
@@ -103,8 +115,9 @@ struct Background {
 struct RenderScene {
     std::vector<Shape> shapes;
     std::vector<Look> looks;
-    std::vector<Instance> instances;
-    WideTree tree;                      ///< over the instances' world bounds
+    std::vector<Instance> instances;    ///< those that move as at time 0
+    std::vector<Motion> moving;         ///< in the order of the instances
+    WideTree tree;                      ///< over the instances' world bounds at all times
     std::vector<PaddedBox> shapeBoxes;  ///< of each shape, in object space
     std::vector<Index> unbounded;       ///< instances that no box holds, beside the tree
     std::vector<BoxQuad> quads;         ///< world boxes, where they are few: a tree is slower there

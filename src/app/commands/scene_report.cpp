@@ -23,6 +23,7 @@ constexpr FeatureText kTexts[] = {
      "no object has set_refraction"},
     {kFeatureAbsorption, "absorption", "what media absorb along each ray",
      "no object that light shines through has set_absorption"},
+    {kFeatureMotion, "motion blur", "a moment of its own for each sample", "no node moves"},
     {kFeatureImages, "textures and bump maps", "texture look-ups and tangents",
      "no object has a texture or a bump map"},
     {kFeatureAreaLights, "area lights", "light samples", "every light is a point"},
