@@ -58,6 +58,7 @@ TracedSample Tracer<Features>::tracedSample(int x, int y, int index) {
     told_.x = x + 0.5 + at.offset.x;
     told_.y = y + 0.5 + at.offset.y;
     told_.filterWeight = at.weight;
+    if (moment_) told_.time = sampler_.time();
     return std::move(told_);
 }
 

@@ -95,6 +95,22 @@ gr.render(root, 'x.png', 4, 4, {0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 45, {0, 0, 0},
         self.assertRegex(text, r"refracted ray .* weight 1\n        hits 'behind'")
         self.assertRegex(text, r"light 2 brings 0 0 0: visible 0, behind 'roof' \(mesh\)")
 
+    def test_a_sample_of_what_moves_has_its_time(self):
+        self.write("moving.lua", """
+local root, ball = gr.node('root'), gr.nh_sphere('ball', {-1, 0, 0}, 0.7)
+ball:move(2, 0, 0)
+root:add_child(ball, gr.material({1, 1, 1}, {0, 0, 0}, 0))
+gr.render(root, 'x.png', 4, 4, {0, 0, 9}, {0, 0, -1}, {0, 1, 0}, 20, {1, 1, 1}, {gr.light({2, 3, 9}, {1, 1, 1}, {1, 0, 0})})""")
+        text = self.told(20, 15, "--spp", "16", scene="moving.lua")
+        self.check(text, self.picture("--spp", "16", scene="moving.lua")[20, 15])
+        shots = re.findall(r", at (%s) of the shutter's time\n.*\n +hits (.*)" % NUMBER, text)
+        self.assertEqual(len(shots), 16)
+        for time, what in shots:
+            # The ball, of radius 0.7 at 2 time - 1, is before x = 0.05 or so.
+            middle = abs(2 * float(time) - 1)
+            if abs(middle - 0.7) > 0.1:
+                self.assertEqual(what.startswith("'ball'"), middle < 0.7, (time, what))
+
     def test_every_primitive_has_its_name(self):
         for call, name in (("sphere('a')", "sphere"), ("cube('a')", "box"), ("cylinder('a')", "cylinder"),
                            ("nh_cone('a', {0, -1, 0}, 3, 2)", "cone"), ("torus('a', 0.5, 0.5)", "torus"),

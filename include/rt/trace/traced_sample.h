@@ -58,6 +58,7 @@ struct TracedSample {
     double x = 0.0;  ///< image point, in pixels
     double y = 0.0;
     double filterWeight = 1.0;
+    double time = 0.5;  ///< from 0, where the shutter opens, to 1, where it closes
     /// A ray before those that it spawns, the refracted ones before the reflected ones.
     std::vector<TracedRay> rays;
     Color value{0.0};  ///< the sum of what the rays bring, in their order, times the filter weight

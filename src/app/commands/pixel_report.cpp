@@ -135,11 +135,12 @@ class Report {
     const std::function<void(const std::string&)>& print_;
 };
 
-std::string headOf(const TracedSample& sample, const std::string& name) {
+std::string headOf(const TracedSample& sample, const std::string& name, bool moves) {
     const bool isFinite = std::isfinite(sample.value.x + sample.value.y + sample.value.z);
     return name + " at " + brief(sample.x) + "," + brief(sample.y) + ": " + channels(sample.value) +
            (sample.filterWeight == 1.0 ? ""
                                        : ", with filter weight " + brief(sample.filterWeight)) +
+           (moves ? ", at " + brief(sample.time) + " of the shutter's time" : "") +
            (isFinite ? "" : ", counts as black") + "\n";
 }
 
@@ -151,6 +152,7 @@ void reportPixel(const PixelTrace& trace, const RenderScene& scene, const SceneD
     print(printable(image, 300) + ", pixel " + std::to_string(trace.place.x) + "," +
           std::to_string(trace.place.y) + " of " + std::to_string(scene.width) + "x" +
           std::to_string(scene.height) + "\ncolour " + exactly(state.mean()) + "\n");
+    const bool moves = !scene.moving.empty();
     Report report(scene, desc, print);
     const auto sampleOf = [&](std::uint64_t index) {
         return tracedSample(scene, trace.settings, trace.place, static_cast<int>(index));
@@ -160,7 +162,7 @@ void reportPixel(const PixelTrace& trace, const RenderScene& scene, const SceneD
         print(
             "told by its corners, between which nothing but smooth shading lies; one sample, "
             "which the picture did without (--spp N samples every pixel):\n");
-        print(headOf(first, "sample"));
+        print(headOf(first, "sample", moves));
         return report.tell(first);
     }
     Color sum(0.0);
@@ -168,7 +170,7 @@ void reportPixel(const PixelTrace& trace, const RenderScene& scene, const SceneD
           (state.samples == 1 ? " sample\n" : " samples\n"));
     for (std::uint64_t index = 0; index < state.samples; ++index) {
         const TracedSample sample = sampleOf(index);
-        print(headOf(sample, "sample " + std::to_string(index + 1)));
+        print(headOf(sample, "sample " + std::to_string(index + 1), moves));
         report.tell(sample);
         if (std::isfinite(sample.value.x + sample.value.y + sample.value.z)) sum += sample.value;
     }
