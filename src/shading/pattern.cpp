@@ -124,7 +124,9 @@ double Pattern::weight(const Vec3& p) const {
 }
 
 Color Pattern::at(const Vec3& p) const {
-    const double w = weight(p);
+    double w = weight(p);
+    // So far away, in sizes, that numbers do not hold it.
+    if (!(w >= 0.0 && w <= 1.0)) w = 0.0;
     return (1.0 - w) * first + w * second;
 }
 

@@ -139,6 +139,21 @@ TEST_CASE("colours lie between the two") {
     }
 }
 
+TEST_CASE("patterns that are too fine or too far for numbers have a colour of theirs") {
+    for (const PatternKind kind : kAll) {
+        for (const double size : {5e-324, 1e-300, 1e-18, 1e300}) {
+            Pattern p = pattern(kind);
+            p.size = size;
+            for (const Vec3& at : {Vec3(1.0, -2.0, 3.0), Vec3(1e300, 0.0, -1e300), Vec3(0.0)}) {
+                const Color c = p.at(at);
+                CHECK((c.x >= 0.25 && c.x <= 0.75));
+                const Color mean = p.mean(at, Vec3(1e-3), Vec3(1.0, 0.0, 1e3), Vec2(0.3));
+                CHECK((mean.x >= 0.25 && mean.x <= 0.75));
+            }
+        }
+    }
+}
+
 TEST_CASE("the mean over uniform phases is the mean over the parallelogram") {
     const Vec3 corner(0.31, -0.24, 0.77);
     const Vec3 across(0.9, 0.2, 0.3);
