@@ -2,8 +2,11 @@
 #include "closed_forms.h"
 #include "unbiased.h"
 
+#include "rt/shading/light_sample.h"
+
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 using namespace rt;
 using namespace rt::test;
@@ -127,6 +130,33 @@ TEST_CASE("a spot without a fade has a sharp edge; one of all directions is a li
         Shot ball = at(0.7, add("gr.light({1, 2, 4}, {1, 1, 1}, {0, 0.5, 0.1}, " + radius + ")"));
         CHECK(sameBytes(shoot(all, 16), shoot(ball, 16)));
     }
+}
+
+TEST_CASE("a ball's place in a spot: in the full light or none only if all of it is") {
+    Light ball;
+    ball.position = {0.0, 0.0, 4.0};
+    const Light narrow = spotLight(ball, {0.0, 0.0, -1.0}, 29.0, 30.0);
+    const Light wide = spotLight(ball, {0.0, 0.0, -1.0}, 5.0, 60.0);
+    int seen[4] = {};
+    for (double x = 0.0; x < 9.0; x += 0.01) {
+        const Vec3 p(x, 0.0, 0.0);
+        const double angle = std::atan2(x, 4.0) * 180.0 / kPi;
+        const double blur = std::asin(0.05 / std::hypot(x, 4.0)) * 180.0 / kPi;
+        for (const auto& [spot, inner, outer] :
+             {std::tuple(&narrow, 29.0, 30.0), std::tuple(&wide, 5.0, 60.0)}) {
+            const SpotPlace place = placeInSpot(*spot, p, 0.05);
+            ++seen[static_cast<int>(place)];
+            if (angle + blur > inner) CHECK(place != SpotPlace::kLit);
+            if (angle - blur < outer) CHECK(place != SpotPlace::kDark);
+            const double doubt = 1e-4;
+            if (angle + blur + doubt < inner) CHECK(place == SpotPlace::kLit);
+            if (angle - blur - doubt > outer) CHECK(place == SpotPlace::kDark);
+            if (place == SpotPlace::kFading) CHECK(spot == &wide);
+            if (place == SpotPlace::kEdge) CHECK(spot == &narrow);
+        }
+    }
+    for (const int count : seen) CHECK(count > 5);
+    CHECK(placeInSpot(narrow, ball.position, 0.1) == SpotPlace::kEdge);
 }
 
 TEST_CASE("a sun gives its colour times the cosine, near and far, and its shadow is parallel") {
