@@ -56,9 +56,8 @@ void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Prob
     probe.lit = 0;
     probe.dark = 0;
     gather(std::move(path), sum);
-    if (!std::isfinite(sum.first.x + sum.first.y + sum.first.z) ||
-        !std::isfinite(sum.second.x + sum.second.y + sum.second.z)) {
-        // The pixels' own samples find it again, and report it.
+    if (!fitsProbe(sum.first) || !fitsProbe(sum.second)) {
+        // The pixels' own samples find it again, and report it where it is not finite.
         sum.first = sum.second = Color(0.0);
         probe.marks |= kProbeDetail;
     }

@@ -26,8 +26,11 @@ def fine(ids, name, script, says=(), never=("error", "finite"), **more):
 
 MIRRORS = shot("for _, x in ipairs{-3, 2} do local b = gr.nh_box('b', {x, -9, -9}, {1, 18, 18}) b:set_reflection(0) root:add_child(b, white) end "
                "for _, z in ipairs{-9, 8} do local b = gr.nh_box('b', {-9, -9, z}, {18, 18, 1}) b:set_reflection(0) root:add_child(b, white) end")
+SOFT = BALL.replace("8, 6", "40, 30").replace("{1,0,0})", "{1,0,0}, 1)")
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CASES = [
+    *[fine("H1", "a radiance of %s, towards an error" % value, SOFT.replace("{0.7,0.7,0.7}", "{%s,0.7,0.7}" % value), (), ("nan", "error", "finite"),
+           args=("scene.lua", "-q", "--error", "0.003")) for value in ("1e39", "1e160", "1e300")],
     fine("H1", "a radiance that is no number", BALL.replace("{0.7,0.7,0.7}, {1,0,0}", "{1e308,1e308,1e308}, {1e-300,0,0}"), r"warning: .*not finite.*\d+,\d+", ()),
     Case("H2", "units of 2^-20 and 2^20", "", command=two_scales, prints="RMSE", writes="x.png"),
     fine("H3", "the eye in a ball", shot("root:add_child(gr.nh_sphere('s', {0,0,0}, 9), white)")),

@@ -6,6 +6,7 @@
 
 #include <glm/ext/vector_float3.hpp>
 
+#include <cmath>
 #include <cstdint>
 
 namespace rt {
@@ -19,6 +20,13 @@ enum ProbeMark : std::uint32_t {
     kProbeDetail = 1u << 1,     ///< finer than a pixel, for all that is known: never smooth
     kProbeUncertain = 1u << 2,  ///< some light was neither proved lit nor proved dark
 };
+
+/// Whether sums of single precision take this, and their squares.
+inline bool fitsProbe(const Color& sum) {
+    constexpr double kLargest = 0x1p56;
+    return std::fabs(sum.x) < kLargest && std::fabs(sum.y) < kLargest &&
+           std::fabs(sum.z) < kLargest;
+}
 
 /// The colour seen through a corner, as the sums of single samples of the lights, and evidence of
 /// what surrounds it. Colours are kept in single precision: a probe is off by 2^-23 of its value,
