@@ -48,6 +48,11 @@ bool mayShareCorners(const RenderScene& scene, const RenderJob& job) {
            scene.moving.empty();
 }
 
+std::optional<Lattice> latticeFor(const RenderScene& scene, const RenderJob& job) {
+    if (!mayShareCorners(scene, job)) return std::nullopt;
+    return std::optional<Lattice>(std::in_place, job.area);
+}
+
 /// Samples of the lights that a corner gets first.
 constexpr std::uint32_t kFirstLightSamples = 2;
 
@@ -62,11 +67,8 @@ constexpr double kCoarseBias = 0.25;
 class TowardsTarget {
   public:
     TowardsTarget(const RenderScene& scene, Run& run, const RenderJob& job, Film& film)
-        : run_(run), job_(job), film_(film) {
-        if (mayShareCorners(scene, job)) {
-            lattice_.emplace(job.area);
-            fine_ = finePixels(scene, job.area);
-        }
+        : run_(run), job_(job), film_(film), lattice_(latticeFor(scene, job)) {
+        if (lattice_) fine_ = finePixels(scene, job.area);
         adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr, fine_);
         run_.showAs([this] { return adaptive_->snapshot(); });
     }
