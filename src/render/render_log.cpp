@@ -6,9 +6,9 @@ namespace rt {
 namespace {
 
 void writeCounts(PackedWriter& to, const TraceCounts& counts) {
-    for (const std::uint64_t number : {counts.rays.camera, counts.rays.shadow,
-                                       counts.rays.reflection, counts.rays.refraction,
-                                       counts.cutPaths}) {
+    for (const std::uint64_t number :
+         {counts.rays.camera, counts.rays.shadow, counts.rays.reflection, counts.rays.refraction,
+          counts.cutPaths}) {
         to.number(number);
     }
     to.real(counts.cutBound);
@@ -19,9 +19,9 @@ void writeCounts(PackedWriter& to, const TraceCounts& counts) {
 
 TraceCounts readCounts(PackedReader& from) {
     TraceCounts counts;
-    for (std::uint64_t* const number : {&counts.rays.camera, &counts.rays.shadow,
-                                        &counts.rays.reflection, &counts.rays.refraction,
-                                        &counts.cutPaths}) {
+    for (std::uint64_t* const number :
+         {&counts.rays.camera, &counts.rays.shadow, &counts.rays.reflection,
+          &counts.rays.refraction, &counts.cutPaths}) {
         *number = from.number<std::uint64_t>();
     }
     counts.cutBound = from.real();

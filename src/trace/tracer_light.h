@@ -35,8 +35,7 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     }
     const Color local = lightAlong(ray, light.brightness, path, point);
     if (local == Color(0.0)) return local;
-    const Share visible =
-        visibilityOf(index, ray.w, view->reach(ray), path.media, point, nullptr);
+    const Share visible = visibilityOf(index, ray.w, view->reach(ray), path.media, point, nullptr);
     if constexpr (kTells) tellLight(index, ray.w, view->reach(ray), local, visible, point);
     return visible * local;
 }

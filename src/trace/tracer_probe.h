@@ -149,7 +149,8 @@ bool Tracer<Features>::allOpaque(const Occluders& occluders) const {
 template <unsigned Features>
 ShadowHull Tracer<Features>::hullTowards(const Light& light, const LightView& view,
                                          const Vec3& from, double margin) const {
-    if (!kLightKinds || light.kind != LightKind::kSun) return {from, margin, light.position, light.radius};
+    if (!kLightKinds || light.kind != LightKind::kSun)
+        return {from, margin, light.position, light.radius};
     const double cosA = 1.0 - view.oneMinusCos;
     const double sinA = std::sqrt(view.oneMinusCos * (1.0 + cosA));
     const double length = ((scene_.tree.isEmpty() ? 0.0 : wayOut(from)) + margin) / cosA;

@@ -9,8 +9,8 @@ constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | 
                                       kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds;
 
 /// The features of the leanest variant that renders scenes with these. Glass needs all that mirrors
-/// need: total internal reflection. What absorbs is glass. One variant with everything is enough for
-/// the kinds of light.
+/// need: total internal reflection. What absorbs is glass. One variant with everything is enough
+/// for the kinds of light.
 constexpr unsigned variantOf(unsigned features) {
     if (features & kFeatureLightKinds) return kVariantFeatures;
     features &= kVariantFeatures;

@@ -83,8 +83,8 @@ TEST_CASE("a checkpoint's first bytes are those of its layout") {
     const std::vector<std::uint8_t> bytes = encoded();
     const std::string start = "RTCHECK1\n" + std::string("\4\0\0\0\25\0\0\0", 8) +
                               "the program's version" + std::string("\5\0\0\0", 4) + "1.0.0";
-    CHECK(std::string(bytes.begin(),
-                      bytes.begin() + static_cast<std::ptrdiff_t>(start.size())) == start);
+    CHECK(std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(start.size())) ==
+          start);
 }
 
 TEST_CASE("a checkpoint cut short, or with any byte changed, is useless") {

@@ -56,10 +56,12 @@ std::string CheckpointKeeper::open() {
         return "";
     }
     if (verdict.kind == Kind::kOther) {
-        throw SceneError("the checkpoint " + verdict.why + "; remove it, or render without --resume",
-                         {file_, 0});
+        throw SceneError(
+            "the checkpoint " + verdict.why + "; remove it, or render without --resume",
+            {file_, 0});
     }
-    if (options_.resume == Resume::kRequired) throw SceneError("the checkpoint " + verdict.why + "; remove it", {file_, 0});
+    if (options_.resume == Resume::kRequired)
+        throw SceneError("the checkpoint " + verdict.why + "; remove it", {file_, 0});
     isOurs_ = isCheckpoint(bytes);
     return "the checkpoint " + file_ + " " + verdict.why + "; the render starts anew";
 }
