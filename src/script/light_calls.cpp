@@ -70,7 +70,8 @@ CallResult sun(Call& call) {
 CallResult rectangle(Call& call) {
     const Light point =
         ballLight(Vec3(0.0), call.tuple(3), falloffOr(call, 4), 0.0, call.number(5));
-    for (const std::size_t side : {1, 2}) unitArgument(call, side, side == 1 ? "u" : "v");
+    unitArgument(call, 1, "u");
+    unitArgument(call, 2, "v");
     return addLight(call, rectangleLight(point, call.tuple(0), call.tuple(1), call.tuple(2)));
 }
 
