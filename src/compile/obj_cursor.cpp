@@ -49,7 +49,8 @@ void ObjCursor::fail(const std::string& message) const {
 
 void ObjCursor::endLine() {
     ++line_;
-    at_ += *at_ == '\r' && at_ < end_ && at_[1] == '\n' ? 2 : 1;
+    // The '\n' at the end may be none of the file's.
+    at_ += *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n' ? 2 : 1;
 }
 
 void ObjCursor::skipBlanks() {
