@@ -1,5 +1,6 @@
 // Spots, suns and rectangles against their equations, and against the lights that they become.
 #include "closed_forms.h"
+#include "kept_error.h"
 #include "unbiased.h"
 
 #include "rt/shading/light_sample.h"
@@ -75,24 +76,7 @@ void checkHonest(const std::string& lights) {
     shot.up = {0.0, 0.0, 1.0};
     shot.fov = 36.0;
     shot.width = shot.height = 64;
-    PictureSettings truth;
-    truth.options.reference = true;
-    truth.options.spp = 1024;
-    const Picture right = renderScript(shot.script(), truth);
-    for (const double error : {0.01, 0.003}) {
-        CAPTURE(lights);
-        PictureSettings adaptive;
-        adaptive.options.error = error;
-        const Picture found = renderScript(shot.script(), adaptive);
-        CHECK(found.converged);
-        double squares = 0.0;
-        for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-            const Color off =
-                glm::clamp(found.pixels[i], 0.0, 1.0) - glm::clamp(right.pixels[i], 0.0, 1.0);
-            squares += glm::dot(off, off) / 3.0;
-        }
-        CHECK(std::sqrt(squares / static_cast<double>(found.pixels.size())) < 1.2 * error);
-    }
+    checkErrorIsKept(shot, 1024, {0.01, 0.003});
 }
 
 }  // namespace

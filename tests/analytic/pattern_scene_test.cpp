@@ -1,4 +1,5 @@
 // Patterns on objects: in the object's own space, wherever a texture may stand, and honest.
+#include "kept_error.h"
 #include "optics_shot.h"
 
 using namespace rt;
@@ -74,21 +75,5 @@ TEST_CASE("adaptive renders of patterns keep their error, to the horizon") {
     shot.fov = 32.0;
     shot.width = shot.height = 48;
     shot.ambient = Color(0.2);
-    PictureSettings truth;
-    truth.options.reference = true;
-    truth.options.spp = 2048;
-    const Picture right = renderScript(shot.script(), truth);
-    for (const double error : {0.01, 0.004}) {
-        PictureSettings adaptive;
-        adaptive.options.error = error;
-        const Picture found = renderScript(shot.script(), adaptive);
-        CHECK(found.converged);
-        double squares = 0.0;
-        for (std::size_t i = 0; i < found.pixels.size(); ++i) {
-            const Color off =
-                glm::clamp(found.pixels[i], 0.0, 1.0) - glm::clamp(right.pixels[i], 0.0, 1.0);
-            squares += glm::dot(off, off) / 3.0;
-        }
-        CHECK(std::sqrt(squares / static_cast<double>(found.pixels.size())) < 1.2 * error);
-    }
+    checkErrorIsKept(shot, 2048, {0.01, 0.004});
 }
