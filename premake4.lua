@@ -14,11 +14,15 @@ local FUZZ = _OPTIONS["fuzz"] ~= nil
 local PREFIX = FUZZ and "fuzz-" or _OPTIONS["clang"] and "clang-" or ""
 local CLANG = PREFIX ~= ""
 
+-- All variants of the tracer are one source, and give the same bytes. Instrumented, two of them, with
+-- nothing and with everything, do for all: a quarter of the time to build.
+local TWO_VARIANTS = " -DRT_TWO_VARIANTS"
 local CONFIGURATIONS = {
   Release = "-O2 -g -DNDEBUG",
   Debug = "-O0 -g",
-  Sanitize = "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all",
-  Threads = "-O1 -g1 -fsanitize=thread",
+  Sanitize = "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
+    .. TWO_VARIANTS,
+  Threads = "-O1 -g1 -fsanitize=thread" .. TWO_VARIANTS,
 }
 local LINK_FLAGS = {
   Sanitize = "-fsanitize=address,undefined",
@@ -39,7 +43,7 @@ local KERNELS = {
 -- A "unique" symbol cannot be made local; only g++ makes any.
 local SEALABLE = CLANG and "" or " -fno-gnu-unique"
 local HOT = {
-  "src/core/transform.cpp", "src/math/portable*.cpp", "src/geometry/*.cpp", "src/accel/*.cpp",
+  "src/core/transform.cpp", "src/core/motion.cpp", "src/math/portable*.cpp", "src/geometry/*.cpp", "src/accel/*.cpp",
   "src/sampling/*.cpp", "src/shading/*.cpp", "src/trace/*.cpp",
 }
 

@@ -17,6 +17,15 @@ typename Map::mapped_type remembered(Map& known, const typename Map::key_type& k
     return known[key] = load();
 }
 
+/// The function was asked for v itself, and for values: nothing is to be turned or decoded.
+std::shared_ptr<const Texture> painted(const BakedImage& baked, bool prefilter) {
+    TextureSettings settings;
+    settings.heldEdges = true;
+    settings.prefilter = prefilter;
+    return std::make_shared<const Texture>(Image{baked.side, baked.side, 3, baked.samples},
+                                           settings);
+}
+
 }  // namespace
 
 std::shared_ptr<const MeshShape> AssetCache::withTree(TriangleMesh mesh) const {
@@ -55,6 +64,10 @@ std::shared_ptr<const Texture> AssetCache::image(const ImageDesc& image,
                                                  const TextureSettings& settings,
                                                  std::uint64_t maxPixels,
                                                  Diagnostics& diagnostics) {
+    if (image.baked) {
+        return remembered(painted_, {image.baked.get(), settings.prefilter},
+                          [&] { return painted(*image.baked, settings.prefilter); });
+    }
     return remembered(images_, {image.path, settings.flipV, settings.srgb, settings.prefilter},
                       [&] {
                           ImageLimits limits;

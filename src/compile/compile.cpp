@@ -1,8 +1,10 @@
 #include "rt/compile/compile.h"
 
 #include "flatten.h"
+#include "motion_bounds.h"
 #include "radiance_bound.h"
 #include "rt/core/error.h"
+#include "rt/trace/moment_pool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,10 @@ namespace {
 /// Maps below this size have lost their meaning to underflow, rather than been flattened on
 /// purpose.
 constexpr double kUnderflown = 1e-150;
+
+/// From so many lights on, a choice of them beats looking at all:
+/// Documentation/performance_features.md.
+constexpr std::ptrdiff_t kManyLights = 32;
 
 double largestElement(const Mat3& m) {
     double largest = 0.0;
@@ -92,7 +98,7 @@ class Compiler {
         const SolidKind kind = kindOf(out_.shapes[instance.shape]);
         instance.closed = kind.closed;
         if (!kind.bounded) out_.unbounded.push_back(static_cast<Index>(out_.instances.size()));
-        if (placed.motion != Vec3(0.0)) addMotion(node, placed);
+        if (placed.motion.moves()) addMotion(node, placed);
         instance.look = lookOf(placed, instance.closed);
         instance.order = instance.node = placed.node;
         out_.instances.push_back(instance);
@@ -100,14 +106,14 @@ class Compiler {
 
     /// Of the instance that is about to be added.
     void addMotion(const NodeDesc& node, const PlacedNode& placed) {
-        out_.moving.push_back(
-            {static_cast<Index>(out_.instances.size()), placed.toWorld, placed.motion});
+        out_.moving.push_back({static_cast<Index>(out_.instances.size()), placed.motion});
         Transform end;
-        if (!Transform::make(mapAt(out_.moving.back(), 1.0), end)) {
+        if (!Transform::make(placed.motion.at(1.0), end)) {
             throw SceneError("node '" + printable(node.name, 80) + "' moves out of all bounds",
                              node.where);
         }
         out_.features |= kFeatureMotion;
+        if (!out_.moments) out_.moments = std::make_shared<MomentPool>();
     }
 
     bool placeInstance(const NodeDesc& node, const Affine& toWorld, Transform& out) {
@@ -278,10 +284,9 @@ class Compiler {
             const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
             Bounds around = instance.transform.boundsToWorld({-reach, reach});
             if (moving != out_.moving.end() && moving->instance == boxes.size() - 1) {
-                Transform end;
-                if (bounded && Transform::make(mapAt(*moving, 1.0), end)) {
-                    boxes.back().unite(end.boundsToWorld(local));
-                    around.unite(end.boundsToWorld({-reach, reach}));
+                if (bounded) {
+                    boxes.back().unite(sweptBounds(moving->path, local));
+                    around.unite(sweptBounds(moving->path, {-reach, reach}));
                 }
                 ++moving;
             }
@@ -305,6 +310,13 @@ class Compiler {
             out_.lights.push_back(desc.light);
             if (!isPointLike(desc.light)) out_.features |= kFeatureAreaLights;
             if (desc.light.kind != LightKind::kBall) out_.features |= kFeatureLightKinds;
+        }
+        const auto placed =
+            std::count_if(out_.lights.begin(), out_.lights.end(),
+                          [](const Light& light) { return light.kind != LightKind::kSun; });
+        if (placed >= kManyLights) {
+            out_.lightTree = LightTree(out_.lights);
+            out_.features |= kFeatureManyLights;
         }
         out_.background.bottom = render_.background.bottom;
         out_.background.top = render_.background.top;

@@ -1,6 +1,7 @@
 #include "flatten.h"
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace rt {
@@ -62,17 +63,18 @@ void forEachPlaced(const SceneDesc& scene, Index root, std::size_t render,
     struct Pending {
         Index node;
         Affine toParent;
-        Vec3 motion;
+        MotionPath motion;
         AppearanceDesc edge;
     };
-    std::vector<Pending> stack{{root, {}, Vec3(0.0), {}}};
+    std::vector<Pending> stack{{root, {}, {}, {}}};
     while (!stack.empty()) {
-        const Pending here = stack.back();
+        const Pending here = std::move(stack.back());
         stack.pop_back();
         const NodeDesc& node = scene.nodes[here.node];
         const NodeState& state = node.at(render);
         const Affine toWorld = compose(here.toParent, state.transform);
-        const Vec3 motion = here.motion + here.toParent.vector(state.motion);
+        const MotionPath motion =
+            compose(here.motion, here.toParent, state.motion, state.transform);
         if (node.geometry != kNone) {
             visit({here.node, toWorld, motion, over(here.edge, state.appearance)});
         }

@@ -13,7 +13,7 @@ namespace rt {
 struct PlacedNode {
     Index node = kNone;
     Affine toWorld;
-    Vec3 motion{0.0};           ///< of the world, while the shutter is open
+    MotionPath motion;          ///< in the world, while the shutter is open
     AppearanceDesc appearance;  ///< the last edge's, where it says something, over the node's own
 };
 

@@ -59,6 +59,7 @@ TraceSettings traceSettings(const RenderOptions& options) {
         settings.cutoff = 0.0;
         settings.raysPerSample = std::numeric_limits<std::uint64_t>::max();
         settings.textureShares = 0;
+        settings.lightsAtPoint = 0;
     }
     return settings;
 }

@@ -45,7 +45,7 @@ bool renderUniform(Run& run, const RenderJob& job, const Film& film) {
 bool mayShareCorners(const RenderScene& scene, const RenderJob& job) {
     return job.adaptive && job.settings.sampler == SamplerKind::kJoint &&
            job.settings.filter == FilterKind::kBox && !scene.camera.hasLens() &&
-           scene.moving.empty();
+           scene.moving.empty() && scene.lightTree.isEmpty();
 }
 
 std::optional<Lattice> latticeFor(const RenderScene& scene, const RenderJob& job) {

@@ -1,4 +1,5 @@
 #include "call_table.h"
+#include "painted_images.h"
 
 namespace rt {
 
@@ -10,6 +11,7 @@ constexpr Parameter kNode{"node", Kind::kNode, "The node."};
 constexpr Parameter kSpecular{"specular", Kind::kColor, "{r,g,b} of the highlight."};
 constexpr Parameter kExponent{"exponent", Kind::kNumber, "Phong exponent of the highlight.",
                               kNotNegative};
+constexpr Range kPaintedSide{1.0, kMostPaintedSide, false, false};
 constexpr Parameter kOwnWeight{"f", Kind::kNumber, "Weight of the object's own colour.", kUnit};
 
 CallResult material(Call& call) {
@@ -19,6 +21,20 @@ CallResult material(Call& call) {
 CallResult texture(Call& call) {
     TextureDesc desc;
     desc.image = call.scene.image(call.text(0), AssetRole::kTexture);
+    desc.specular = call.tuple(1);
+    desc.exponent = call.number(2);
+    return call.scene.addTexture(desc);
+}
+
+bool startsWithFunction(const Arguments& in) {
+    return in.isFunction(1);
+}
+
+CallResult paintedTexture(Call& call) {
+    TextureDesc desc;
+    const int side = call.given(3) ? static_cast<int>(call.number(3)) : 0;
+    desc.image =
+        call.scene.paintedImage(keepFunction(call.arguments().state(), Call::slot(0)), side);
     desc.specular = call.tuple(1);
     desc.exponent = call.number(2);
     return call.scene.addTexture(desc);
@@ -91,8 +107,22 @@ std::vector<CallRow> makers() {
            material}},
          "gr.material"},
         {"texture",
-         "A material whose matt part comes from an image.",
-         {{{{"file", Kind::kText, "The image."}, kSpecular, kExponent}, texture}},
+         "A material whose matt part comes from an image, or from a function of the script that is "
+         "called once the script has ended, at the centres of the texels of the unit square.",
+         {{{{"paint",
+             Kind::kAny,
+             "Gives the colour at (u, v): three numbers, a table of them, or one for grey.",
+             {},
+             false,
+             {},
+             "fun(u: number, v: number): number|gr.tuple, number?, number?"},
+            kSpecular,
+            kExponent,
+            {"side", Kind::kWholeNumber, "Texels along a side; as many as are needed without it.",
+             kPaintedSide, true}},
+           paintedTexture,
+           startsWithFunction},
+          {{{"file", Kind::kText, "The image."}, kSpecular, kExponent}, texture}},
          "gr.texture"},
         {"bumpmap",
          "A tangent-space normal map, or a height map if the image has one channel.",

@@ -46,6 +46,7 @@ class Arguments {
     int count() const { return lua_gettop(L_); }
     bool isGiven(int slot) const { return lua_type(L_, slot) > LUA_TNIL; }
     bool isTable(int slot) const { return lua_type(L_, slot) == LUA_TTABLE; }
+    bool isFunction(int slot) const { return lua_type(L_, slot) == LUA_TFUNCTION; }
     bool isNumber(int slot) const { return lua_isnumber(L_, slot) != 0; }
     bool isString(int slot) const { return lua_type(L_, slot) == LUA_TSTRING; }
 

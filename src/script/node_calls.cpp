@@ -58,13 +58,40 @@ void multiply(Call& call, const Affine& map, bool flattens) {
         call.scene.fail("the node's matrix has no finite inverse any more");
     }
     state.transform = product;
-    if (!legacy) state.motion = map.vector(state.motion);
+    MotionPath& motion = state.motion;
+    if (!motion.moves()) return;
+    Affine& part = legacy ? motion.steps.front().before : motion.last;
+    part = legacy ? compose(part, map) : compose(map, part);
+}
+
+/// Has the node move, too: after all that was said before, or, by the old order, before it.
+void addStep(Call& call, MotionStep step) {
+    NodeState& state = call.scene.edit(call.object(0));
+    MotionPath& motion = state.motion;
+    if (call.scene.settings().legacyTransforms) {
+        if (!motion.moves()) motion.last = state.transform;
+        motion.steps.insert(motion.steps.begin(), step);
+    } else {
+        step.before = motion.moves() ? motion.last : state.transform;
+        motion.last = {};
+        motion.steps.push_back(step);
+    }
 }
 
 CallResult move(Call& call) {
-    NodeState& state = call.scene.edit(call.object(0));
     const Vec3 by(call.number(1), call.number(2), call.number(3));
-    state.motion += call.scene.settings().legacyTransforms ? state.transform.vector(by) : by;
+    if (by != Vec3(0.0)) addStep(call, {.before = {}, .by = by});
+    return {};
+}
+
+CallResult spin(Call& call) {
+    const double degrees = call.number(2);
+    if (degrees != 0.0) {
+        addStep(call, {.before = {},
+                       .by = Vec3(0.0),
+                       .axis = static_cast<int>(call.number(1)),
+                       .degrees = degrees});
+    }
     return {};
 }
 
@@ -132,6 +159,12 @@ std::vector<CallRow> nodeCalls() {
          "Has the node move straight on by this much while the shutter is open.",
          {{{kNode, number("dx", "Along x."), number("dy", "Along y."), number("dz", "Along z.")},
            move}}},
+        {"spin",
+         "Has the node turn evenly about an axis, right-handed, while the shutter is open.",
+         {{{kNode,
+            {"axis", Kind::kAxis, "'x', 'y' or 'z', in either case."},
+            number("degrees", "By how much.")},
+           spin}}},
         {"scale",
          "Scales the node about the origin; negative factors mirror it.",
          {{{kNode, number("sx", "Along x."), number("sy", "Along y."), number("sz", "Along z.")},

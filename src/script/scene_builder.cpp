@@ -138,6 +138,17 @@ Index SceneBuilder::image(const std::string& file, AssetRole role) {
     return images_[path] = append(scene_.images, ImageDesc{path, where_});
 }
 
+Index SceneBuilder::paintedImage(int function, int side) {
+    charge(sizeof(ImageDesc) + sizeof(PaintedImage));
+    const Index image = append(scene_.images, ImageDesc{"", where_});
+    painted_.push_back({image, function, side});
+    return image;
+}
+
+void SceneBuilder::setPainting(Index image, std::shared_ptr<const BakedImage> baked) {
+    scene_.images[image].baked = std::move(baked);
+}
+
 ObjectRef SceneBuilder::addMaterial(const Material& material) {
     charge(sizeof(MaterialDesc));
     return {ObjectKind::kMaterial, append(scene_.materials, MaterialDesc{material, where_})};

@@ -29,6 +29,13 @@ struct ObjectRef {
     Index index;
 };
 
+/// An image that is painted when the script has ended, by a function that it has left.
+struct PaintedImage {
+    Index image = kNone;
+    int function = 0;  ///< its number in the registry
+    int side = 0;      ///< in texels; 0 = as many as are needed
+};
+
 /// "gr.node" and so on.
 const char* objectKindName(ObjectKind kind);
 
@@ -63,6 +70,11 @@ class SceneBuilder {
     Index meshFile(const std::string& file, std::optional<double> smoothAngle);
     /// The file's image; the same file has one image.
     Index image(const std::string& file, AssetRole role);
+    /// An image that a function of the script will paint; a side of 0 asks for as many texels as
+    /// are needed.
+    Index paintedImage(int function, int side);
+    const std::vector<PaintedImage>& paintedImages() const { return painted_; }
+    void setPainting(Index image, std::shared_ptr<const BakedImage> baked);
     ObjectRef addMaterial(const Material& material);
     ObjectRef addTexture(TextureDesc texture);
     ObjectRef addBump(Index image);
@@ -123,6 +135,7 @@ class SceneBuilder {
     std::map<std::pair<std::string, AssetRole>, std::string> resolvedFiles_;
     std::map<std::pair<std::string, double>, Index> meshes_;
     std::map<std::string, Index> images_;
+    std::vector<PaintedImage> painted_;
     std::unordered_set<std::size_t> nodeNames_;  ///< hashes: a warning may rest on a collision
     std::set<std::string> outputs_;
 

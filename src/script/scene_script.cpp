@@ -2,6 +2,7 @@
 
 #include "gr_library.h"
 #include "lua_access.h"
+#include "painted_images.h"
 #include "sandbox.h"
 #include "scene_builder.h"
 
@@ -55,6 +56,7 @@ ScriptResult runScript(const std::string& path, const ScriptSettings& settings,
         try {
             builder.readParameters();
             lua.runFile(path, settings.arguments);
+            lua.protect([&](lua_State* L) { paintImages(L, builder); });
         } catch (Error& error) {
             error.attach(lua.traceback());
             if (files) *files = filesOf(lua.get(), builder);

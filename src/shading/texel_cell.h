@@ -21,10 +21,11 @@ struct TexelCell {
     std::size_t upper, lower;  ///< rows
     double f, g;               ///< from left to right, from upper to lower
 
-    /// `at` in [0,1] x [0,1] from the top left.
-    TexelCell(const Vec2& at, int width, int height) {
-        f = place(at.x, width, left, right);
-        g = place(at.y, height, upper, lower);
+    /// `at` in [0,1] x [0,1] from the top left. Beyond the border lies the other side of the image,
+    /// or with `held` what lies at the border.
+    TexelCell(const Vec2& at, int width, int height, bool held = false) {
+        f = place(at.x, width, held, left, right);
+        g = place(at.y, height, held, upper, lower);
     }
 
     /// In this form a constant stays itself to the bit.
@@ -35,12 +36,15 @@ struct TexelCell {
     }
 
   private:
-    static double place(double part, int count, std::size_t& before, std::size_t& after) {
+    static double place(double part, int count, bool held, std::size_t& before,
+                        std::size_t& after) {
         const double x = part * count - 0.5;
         const double cell = std::floor(x);
         const int i = static_cast<int>(cell);
-        before = static_cast<std::size_t>(i < 0 ? count - 1 : i);
-        after = static_cast<std::size_t>(i + 1 < count ? i + 1 : 0);
+        const int first = held ? 0 : count - 1;
+        const int last = held ? count - 1 : 0;
+        before = static_cast<std::size_t>(i < 0 ? first : i);
+        after = static_cast<std::size_t>(i + 1 < count ? i + 1 : last);
         return x - cell;
     }
 };

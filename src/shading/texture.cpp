@@ -69,7 +69,7 @@ Vec2 Texture::onImage(const Vec2& uv) const {
 }
 
 Color Texture::bilinear(const Vec2& uv) const {
-    const TexelCell cell(onImage(uv), image_.width, image_.height);
+    const TexelCell cell(onImage(uv), image_.width, image_.height, settings_.heldEdges);
     if (linear_.empty()) return blendCodes(image_, cell) / fullCode(image_);
     return blend(image_, cell,
                  [this](auto code) { return linear_[static_cast<std::size_t>(code)]; });

@@ -118,7 +118,7 @@ std::size_t Texture::levelFor(const Vec2& a, const Vec2& b) const {
 Color Texture::atLevel(std::size_t number, const Vec2& uv) const {
     if (number == 0) return bilinear(uv);
     const Level& level = levels_[number - 1];
-    const TexelCell cell(onImage(uv), level.width, level.height);
+    const TexelCell cell(onImage(uv), level.width, level.height, settings_.heldEdges);
     const auto texel = [&](std::size_t column, std::size_t row) {
         return level.texels[row * static_cast<std::size_t>(level.width) + column];
     };

@@ -47,10 +47,6 @@ SolidKind kindOf(const Shape& shape) {
     return std::visit(KindOf{}, shape);
 }
 
-Affine mapAt(const Motion& motion, double s) {
-    return {motion.start.linear, motion.start.translation + s * motion.by};
-}
-
 Bounds boundsOf(const Shape& shape) {
     return std::visit(BoundsOf{}, shape);
 }

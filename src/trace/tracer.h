@@ -7,6 +7,7 @@
 #include "ray_differential.h"
 #include "rt/sampling/sampler.h"
 #include "rt/shading/light_sample.h"
+#include "rt/trace/moment_pool.h"
 #include "rt/trace/trace_kernel.h"
 #include "rt/trace/traced_sample.h"
 #include "scene_intersect.h"
@@ -32,6 +33,9 @@ template <unsigned Features>
 class Tracer {
   public:
     Tracer(const RenderScene& scene, const TraceSettings& settings, TraceCounts& counts);
+    ~Tracer();
+    Tracer(const Tracer&) = delete;
+    Tracer& operator=(const Tracer&) = delete;
 
     /// The value of sample number `index` of pixel (x, y), times its filter weight.
     Color sample(int x, int y, int index);
@@ -54,6 +58,7 @@ class Tracer {
     static constexpr bool kReflection = (Features & kFeatureReflection) != 0;
     static constexpr bool kRefraction = (Features & kFeatureRefraction) != 0;
     static constexpr bool kLightKinds = (Features & kFeatureLightKinds) != 0;
+    static constexpr bool kManyLights = (Features & kFeatureManyLights) != 0;
     static constexpr bool kAbsorption = (Features & kFeatureAbsorption) != 0;
     static constexpr bool kTells = (Features & kTelling) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
@@ -144,8 +149,10 @@ class Tracer {
     void tellLight(Index light, const Vec3& w, double reach, const Color& unhidden,
                    const Share& visible, const ShadePoint& point);
 
-    Color ownColor(const Path& path, const ShadePoint& point);
-    Color lightFrom(Index light, const Path& path, const ShadePoint& point);
+    Color ownColor(const Path& path, double own, const ShadePoint& point);
+    Color fromChosen(const Path& path, double own, const ShadePoint& point);
+    /// Counted `weight` times.
+    Color lightFrom(Index light, double weight, const Path& path, const ShadePoint& point);
     std::optional<LightView> viewOfLight(const Light& light, const Vec3& from) const;
     Color lightAlong(const LightRay& ray, double brightness, const Path& path,
                      const ShadePoint& point) const;
@@ -182,6 +189,7 @@ class Tracer {
         return scene_.looks[scene_.instances[instance].look];
     }
 
+    MomentPool* moments_;  ///< nullptr where nothing moves
     /// The scene as of one moment, where something moves.
     std::unique_ptr<RenderScene> moment_;
     const RenderScene& scene_;

@@ -16,16 +16,41 @@
 namespace rt {
 
 template <unsigned Features>
-Color Tracer<Features>::ownColor(const Path& path, const ShadePoint& point) {
+Color Tracer<Features>::ownColor(const Path& path, double own, const ShadePoint& point) {
     Color sum = point.material.diffuse * scene_.ambient;
+    if constexpr (kManyLights) {
+        if (settings_.lightsAtPoint > 0 && !scene_.lightTree.isEmpty()) {
+            return sum + fromChosen(path, own, point);
+        }
+    }
     for (Index light = 0; light < scene_.lights.size(); ++light) {
-        sum += lightFrom(light, path, point);
+        sum += lightFrom(light, 1.0, path, point);
+    }
+    return sum;
+}
+
+/// The expected sum over all lights, from a few. What counts for little gets fewer.
+template <unsigned Features>
+Color Tracer<Features>::fromChosen(const Path& path, double own, const ShadePoint& point) {
+    const LightTree& tree = scene_.lightTree;
+    const double share = std::min(largestOf(path.weight) * own, 1.0);
+    const int count = static_cast<int>(std::ceil(share * settings_.lightsAtPoint));
+    const auto noLight = static_cast<Index>(scene_.lights.size());
+    const double shift = sampler_.light(path.node, noLight).x;
+    const LightTree::Choice choice =
+        tree.choose(point.position, point.geometricNormal, point.normal, count, shift);
+    Color sum(0.0);
+    for (const Index sun : tree.suns()) sum += lightFrom(sun, 1.0, path, point);
+    for (int i = 0; i < choice.count; ++i) {
+        const ChosenLight& chosen = choice.lights[static_cast<std::size_t>(i)];
+        sum += lightFrom(chosen.light, chosen.weight, path, point);
     }
     return sum;
 }
 
 template <unsigned Features>
-Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoint& point) {
+Color Tracer<Features>::lightFrom(Index index, double weight, const Path& path,
+                                  const ShadePoint& point) {
     const Light& light = scene_.lights[index];
     const std::optional<LightView> view = viewOfLight(light, point.position);
     if (!view) return Color(0.0);
@@ -33,7 +58,7 @@ Color Tracer<Features>::lightFrom(Index index, const Path& path, const ShadePoin
     if constexpr (kAreaLights) {
         if (!view->isPoint()) ray = view->ray(sampler_.light(path.node, index), point.position);
     }
-    const Color local = lightAlong(ray, light.brightness, path, point);
+    const Color local = weight * lightAlong(ray, light.brightness, path, point);
     if (local == Color(0.0)) return local;
     const Share visible = visibilityOf(index, ray.w, view->reach(ray), path.media, point, nullptr);
     if constexpr (kTells) tellLight(index, ray.w, view->reach(ray), local, visible, point);

@@ -20,12 +20,18 @@ namespace rt {
 template <unsigned Features>
 Tracer<Features>::Tracer(const RenderScene& scene, const TraceSettings& settings,
                          TraceCounts& counts)
-    : moment_(scene.moving.empty() ? nullptr : std::make_unique<RenderScene>(scene)),
+    : moments_(scene.moments.get()),
+      moment_(moments_ ? moments_->lend(scene) : nullptr),
       scene_(moment_ ? *moment_ : scene),
       settings_(settings),
       counts_(counts),
       sampler_({settings.sampler, settings.filter, settings.seed, settings.spp}),
       lastBlockers_(scene.lights.size()) {}
+
+template <unsigned Features>
+Tracer<Features>::~Tracer() {
+    if (moment_) moments_->takeBack(std::move(moment_));
+}
 
 template <unsigned Features>
 Color Tracer<Features>::sample(int x, int y, int index) {
@@ -56,7 +62,7 @@ void Tracer<Features>::turnTo(double s) {
     for (const Motion& motion : moment_->moving) {
         Transform& transform = moment_->instances[motion.instance].transform;
         // The scene's compiler made sure that there is one at both ends.
-        if (Transform now; Transform::make(mapAt(motion, s), now)) transform = now;
+        if (Transform now; Transform::make(motion.path.at(s), now)) transform = now;
     }
 }
 
@@ -267,7 +273,7 @@ void Tracer<Features>::addMiss(const Path& path, SampleSum& sum) {
 template <unsigned Features>
 void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit&,
                               const ShadePoint& point, SampleSum& sum) {
-    const Color color = ownColor(path, point);
+    const Color color = ownColor(path, own, point);
     if constexpr (kTells) toldRay().color = color;
     sum.value += path.weight * own * color;
 }

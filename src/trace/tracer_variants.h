@@ -6,16 +6,21 @@
 namespace rt {
 
 constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
-                                      kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds;
+                                      kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds |
+                                      kFeatureManyLights;
 
 /// The features of the leanest variant that renders scenes with these. Glass needs all that mirrors
 /// need: total internal reflection. What absorbs is glass. One variant with everything is enough
-/// for the kinds of light.
+/// for the kinds of light, and for many of them.
 constexpr unsigned variantOf(unsigned features) {
-    if (features & kFeatureLightKinds) return kVariantFeatures;
+#ifdef RT_TWO_VARIANTS
+    return (features & kVariantFeatures) ? kVariantFeatures : 0;
+#else
+    if (features & (kFeatureLightKinds | kFeatureManyLights)) return kVariantFeatures;
     features &= kVariantFeatures;
     if (features & kFeatureAbsorption) features |= kFeatureRefraction;
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;
+#endif
 }
 
 /// TraceKernel's functions of the same names.

@@ -59,6 +59,59 @@ TEST_CASE("unbiased: motions add up, and go through the transforms that follow a
     checkUnbiased({"parents", above(parent, 0.6), 0.8 * 2.0 / 3.0});
 }
 
+TEST_CASE("unbiased: what turns covers a point for its share of the time") {
+    // A quarter of the plane, x and y > 0, about the origin; the point at 1 on the x axis.
+    const auto quarter = [](const std::string& calls) {
+        return place("gr.nh_box('quarter', {0, 0, 0}, {9, 9, 1})", 0.8, calls);
+    };
+    checkUnbiased({"a whole turn", above(quarter("it:spin('z', 360)"), 1.0), 0.8 * 0.25});
+    // At time s it covers the angles from 180 s - 90 - 45 to 180 s - 45.
+    checkUnbiased(
+        {"half a turn", above(quarter("it:rotate('z', -135)\nit:spin('z', 180)"), 1.0), 0.8 * 0.5});
+    checkUnbiased(
+        {"backwards", above(quarter("it:rotate('z', 45)\nit:spin('z', -180)"), 1.0), 0.8 * 0.5});
+    // About its own corner, which then stands at (3, 0): the angle there is 180 degrees.
+    checkUnbiased({"then moved", above(quarter("it:spin('z', 360)\nit:translate(3, 0, 0)"), 1.0),
+                   0.8 * 0.25});
+    // The disc of radius 1 about (-3, 0) passes the point (3, 0) after half a turn about the
+    // origin.
+    const std::string disc = "gr.nh_sphere('disc', {0, 0, 0}, 1)";
+    const double width = 2.0 * 2.0 * std::asin(1.0 / 6.0) / (2.0 * std::acos(-1.0));
+    checkUnbiased({"first moved",
+                   above(place(disc, 0.8, "it:translate(-3, 0, 0)\nit:spin('z', 360)"), 3.0),
+                   0.8 * width});
+}
+
+TEST_CASE("unbiased: turns of a node, of its parents, and ways go one after another") {
+    // Two half turns about one axis are a whole one.
+    const std::string nested =
+        "it = gr.nh_box('quarter', {0, 0, 0}, {9, 9, 1})\nit:spin('z', 180)\n"
+        "group = gr.node('group')\ngroup:spin('z', 180)\n"
+        "group:add_child(it, gr.material({0.8, 0.8, 0.8}, {0, 0, 0}, 0))\n"
+        "root:add_child(group)\n";
+    checkUnbiased({"turns add up", above(nested, 1.0), 0.8 * 0.25});
+    // Turned there and back again, what is left is the way.
+    checkUnbiased({"there and back",
+                   above(slab("it:move(3, 0, 0)\nit:spin('z', 70)\nit:spin('z', -70)"), 0.6),
+                   0.8 / 3.0});
+    // A ball that rolls is a ball that slides.
+    const std::string ball = "gr.nh_sphere('ball', {0, 0, 0}, 1)";
+    checkUnbiased({"rolls", above(place(ball, 0.8, "it:spin('z', 77)\nit:move(3, 0, 0)"), 1.5),
+                   0.8 * 2.0 / 3.0});
+    // The other way round its centre goes along a spiral.
+    const double turn = -100.0 * std::acos(-1.0) / 180.0;
+    constexpr int kMoments = 100'000;
+    int covered = 0;
+    for (int i = 0; i < kMoments; ++i) {
+        const double s = (i + 0.5) / kMoments;
+        const double x = 3.0 * s * std::cos(turn * s);
+        const double y = 3.0 * s * std::sin(turn * s);
+        if ((x - 1.2) * (x - 1.2) + y * y < 1.0) ++covered;
+    }
+    checkUnbiased({"spirals", above(place(ball, 0.8, "it:move(3, 0, 0)\nit:spin('z', -100)"), 1.2),
+                   0.8 * covered / kMoments});
+}
+
 TEST_CASE("unbiased: a shadow and a mirror image of what moves") {
     Shot shadow;
     shadow.body = kFloor +

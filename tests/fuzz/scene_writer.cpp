@@ -130,7 +130,9 @@ std::string SceneWriter::appearance() {
 
 std::string SceneWriter::change() {
     const std::string of = ", " + name('n');
-    switch (below(11)) {
+    switch (below(12)) {
+        case 11:
+            return "gr.spin" + of + ", '" + "xyz"[below(3)] + "', " + number(-720, 720);
         case 9:
             return "gr.move" + of + ", " + number(-2, 2) + ", " + number(-2, 2) + ", 0";
         case 0:
@@ -152,7 +154,7 @@ std::string SceneWriter::change() {
         case 7:
             return "gr.set_absorption" + of + ", " + vector(0, 2);
         case 8:
-            return "gr.set_texture" + of + ", try(" + pattern() + ")";
+            return "gr.set_texture" + of + ", try(" + (below(4) ? pattern() : painting()) + ")";
         default:
             return "gr.add_child" + of + ", " + name('n') + ", " + name('m');
     }
@@ -198,6 +200,11 @@ std::string SceneWriter::statement() {
         default:
             return "try(" + change() + ")\n";
     }
+}
+
+std::string SceneWriter::painting() {
+    return "gr.texture, function(u, v) return u * " + number(-1, 9) + ", v, " + number(0, 1) +
+           " end, {0.1, 0.2, 0.3}, 5" + (below(2) ? ", " + std::to_string(1 + below(40)) : "");
 }
 
 std::string SceneWriter::pattern() {

@@ -31,6 +31,7 @@ class SceneWriter {
     std::string statement();
     std::string change();
     std::string namedLight();
+    std::string painting();
     std::string pattern();
     std::string render();
 

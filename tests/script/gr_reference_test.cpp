@@ -41,6 +41,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"rotate", "gr.rotate(ball, 'x', 1)"},
         {"translate", "ball:translate(1, 2, 3)"},
         {"move", "ball:move(1, 2, 3)"},
+        {"spin", "ball:spin('y', 30)"},
         {"scale", "ball:scale(1, 2, 3)"},
         {"add_child", "group:add_child(ball)"},
         {"sphere", "gr.sphere('a')"},

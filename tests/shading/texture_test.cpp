@@ -53,6 +53,20 @@ TEST_CASE("between centres the value is bilinear, across the border too") {
     CHECK(texture.bilinear({0.25, 0.5}).z == texture.bilinear({0.25, 0.5}).x);
 }
 
+TEST_CASE("a tile with held edges blends with none of its repeats") {
+    TextureSettings settings;
+    settings.heldEdges = true;
+    const Texture texture(grey8(2, 2, {0, 100, 40, 200}), settings);
+    CHECK(texture.bilinear({0.0, 0.75}).x == 0.0);
+    CHECK(texture.bilinear({0.999, 0.75}).x == 100 / 255.0);
+    CHECK(texture.bilinear({1.0, 0.75}).x == 0.0);
+    CHECK(texture.bilinear({0.25, 0.001}).x == 40 / 255.0);
+    CHECK(texture.bilinear({0.5, 0.5}).x == doctest::Approx(85 / 255.0));
+    CHECK(texture.bilinear({-0.75, 1.75}).x == texture.bilinear({0.25, 0.75}).x);
+    const Texture grey(grey8(1, 1, {77}), settings);
+    CHECK(grey.bilinear({0.3, 0.9}).x == 77 / 255.0);
+}
+
 TEST_CASE("a texture repeats outside the unit square") {
     const Texture texture(ramps(5, 4));
     const unsigned seed = 11;

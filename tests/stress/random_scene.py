@@ -72,6 +72,7 @@ class RandomScene:
         stretch = [s * rng.choice((1, rng.uniform(0.5, 2), -1)) for _ in range(3)]
         return ("node:scale(%s)\n" % ", ".join(map(number, stretch))
                 + "node:rotate('%s', %s)\n" % (rng.choice("xyz"), number(rng.uniform(-180, 180)))
+                + self.maybe(0.03, "node:spin('%s', %s)\n" % (rng.choice("xyz"), number(rng.uniform(-400, 400))))
                 + "node:translate(%s)\n" % ", ".join(number(rng.uniform(-3, 3)) for _ in range(3)))
 
     def nodes(self):
@@ -109,7 +110,7 @@ class RandomScene:
 
     def render(self):
         rng = self.rng
-        lights = [self.light() for _ in range(rng.choice((0, 1, 1, 2, 3)))]
+        lights = [self.light() for _ in range(rng.choice((0, 1, 1, 1, 2, 2, 3, 3, 40)))]
         eye = [rng.uniform(-3, 3), rng.uniform(-1, 5), rng.uniform(6, 10)]
         focal = self.maybe(0.25, ", gr.focal(%s, 0.1, %s)" % (number(rng.uniform(4, 11)), number(rng.uniform(0, 0.4))))
         return "gr.render(root, 'out.png', %d, %d, %s, %s, {0, 1, 0}, %s, %s, {%s}%s)\n" % (

@@ -29,8 +29,11 @@ class AssetCache {
     std::shared_ptr<const Texture> image(const ImageDesc& image, const TextureSettings& settings,
                                          std::uint64_t maxPixels, Diagnostics& diagnostics);
 
-    /// Forgets what came from a script's tables, not from files: before another script runs.
-    void forgetTables() { tables_.clear(); }
+    /// Forgets what came from a script itself, not from files: before another script runs.
+    void forgetTables() {
+        tables_.clear();
+        painted_.clear();
+    }
     /// Forgets what came from a file: it has changed.
     void forgetFile(const std::string& path);
 
@@ -42,6 +45,7 @@ class AssetCache {
     std::map<std::pair<std::string, double>, std::shared_ptr<const MeshShape>> files_;
     std::map<std::pair<Index, double>, std::shared_ptr<const MeshShape>> tables_;
     std::map<std::tuple<std::string, bool, bool, bool>, std::shared_ptr<const Texture>> images_;
+    std::map<std::pair<const BakedImage*, bool>, std::shared_ptr<const Texture>> painted_;
 };
 
 }  // namespace rt

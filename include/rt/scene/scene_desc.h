@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rt/core/error.h"
+#include "rt/core/motion.h"
 #include "rt/core/transform.h"
 #include "rt/core/vec.h"
 #include "rt/geometry/box.h"
@@ -21,6 +22,7 @@
 #include "rt/shading/pattern.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -28,10 +30,19 @@
 
 namespace rt {
 
-/// An image asset: looked for when it is named, so that a missing file is reported at its line.
+/// What a function of a script gave at the centres of the texels of the unit square: rows from the
+/// top, red, green, blue.
+struct BakedImage {
+    int side = 0;
+    std::vector<float> samples;
+};
+
+/// An image asset: looked for when it is named, so that a missing file is reported at its line. Or
+/// one that a function of the script has painted.
 struct ImageDesc {
-    std::string path;  ///< resolved, absolute
+    std::string path;  ///< resolved, absolute; empty where it is painted
     SourceLocation where;
+    std::shared_ptr<const BakedImage> baked = {};
 };
 
 /// Diffuse colour from an image, or else by a formula; specular and exponent as given.
@@ -96,7 +107,7 @@ struct RefractionDesc {
 
 struct NodeState {
     Affine transform;
-    Vec3 motion{0.0};  ///< added to the transform's translation while the shutter is open
+    MotionPath motion;  ///< whose place at time 0 is `transform`
     AppearanceDesc appearance;
     std::optional<double> reflection;  ///< weight of the own colour beside the mirror image
     std::optional<RefractionDesc> refraction;

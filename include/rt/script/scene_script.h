@@ -19,6 +19,7 @@ struct ScriptSettings {
     std::vector<std::string> parameterFiles;        ///< the last that names one counts, but for -D
     int frame = 1;                                  ///< gr.frame
     double time = 0.0;                              ///< gr.time
+    int largestSide = 0;  ///< of the images, in pixels, where the command line sets it
     bool trust = false;
     bool legacyTransforms = false;
     std::size_t memoryLimit = std::size_t{2} << 30;  ///< bytes

@@ -6,8 +6,9 @@
 //     x = w u - 1/2,   y = h (1 - v) - 1/2,   i = floor x,   f = x - i,   j = floor y,   g = y - j,
 //     c = lerp(lerp(c_ij, c_(i+1)j, f), lerp(c_i(j+1), c_(i+1)(j+1), f), g),
 //
-// indices modulo w and h, so that the image repeats outside [0,1]; v = 0 is the bottom of the
-// image, or with `flipV` its top (then y = h v - 1/2). A uv that is not finite reads as 0.
+// indices modulo w and h (or clamped, with `heldEdges`), so that the image repeats outside [0,1]; v
+// = 0 is the bottom of the image, or with `flipV` its top (then y = h v - 1/2). A uv that is not
+// finite reads as 0.
 #pragma once
 
 #include "rt/core/vec.h"
@@ -23,6 +24,7 @@ struct TextureSettings {
     bool flipV = false;      ///< v = 0 at the top of the image
     bool srgb = false;       ///< 8 and 16 bits hold sRGB values, to be made linear
     bool prefilter = false;  ///< build the pyramid for `filtered`: 4 bytes a texel of the image
+    bool heldEdges = false;  ///< each tile ends at its border, and does not blend with the next
 };
 
 /// A parallelogram of uv space, of which a uv that is looked up is one point.

@@ -4,6 +4,7 @@
 #include "rt/accel/mesh_tree.h"
 #include "rt/accel/padded_boxes.h"
 #include "rt/accel/wide_tree.h"
+#include "rt/core/motion.h"
 #include "rt/core/transform.h"
 #include "rt/geometry/box.h"
 #include "rt/geometry/cone.h"
@@ -17,6 +18,7 @@
 #include "rt/geometry/torus.h"
 #include "rt/geometry/triangle_mesh.h"
 #include "rt/shading/light.h"
+#include "rt/shading/light_tree.h"
 #include "rt/shading/material.h"
 #include "rt/shading/pattern.h"
 #include "rt/shading/texture.h"
@@ -80,16 +82,13 @@ struct Instance {
     bool boxed = true;
 };
 
-/// An instance that moves straight on while the shutter is open: at time s, in 0 .. 1, its map is
-/// `start` with s `by` added to the translation.
+/// An instance that moves while the shutter is open.
 struct Motion {
     Index instance = 0;
-    Affine start;
-    Vec3 by{0.0};
+    MotionPath path;
 };
 
-/// Where it is at time s.
-Affine mapAt(const Motion& motion, double s);
+class MomentPool;
 
 /// What this scene uses; the renderer's variant is chosen by it.
 enum Feature : unsigned {
@@ -102,6 +101,7 @@ enum Feature : unsigned {
     kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
     kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
     kFeatureMotion = 1u << 8,
+    kFeatureManyLights = 1u << 9,  ///< more than are looked at from each point
 };
 
 struct Background {
@@ -115,13 +115,15 @@ struct Background {
 struct RenderScene {
     std::vector<Shape> shapes;
     std::vector<Look> looks;
-    std::vector<Instance> instances;    ///< those that move as at time 0
-    std::vector<Motion> moving;         ///< in the order of the instances
-    WideTree tree;                      ///< over the instances' world bounds at all times
-    std::vector<PaddedBox> shapeBoxes;  ///< of each shape, in object space
-    std::vector<Index> unbounded;       ///< instances that no box holds, beside the tree
-    std::vector<BoxQuad> quads;         ///< world boxes, where they are few: a tree is slower there
+    std::vector<Instance> instances;      ///< those that move as at time 0
+    std::vector<Motion> moving;           ///< in the order of the instances
+    std::shared_ptr<MomentPool> moments;  ///< where something moves
+    WideTree tree;                        ///< over the instances' world bounds at all times
+    std::vector<PaddedBox> shapeBoxes;    ///< of each shape, in object space
+    std::vector<Index> unbounded;         ///< instances that no box holds, beside the tree
+    std::vector<BoxQuad> quads;  ///< world boxes, where they are few: a tree is slower there
     std::vector<Light> lights;
+    LightTree lightTree;  ///< where they are many
     Color ambient{0.0};
     Background background;
     Camera camera;

@@ -26,6 +26,8 @@ struct TraceSettings {
     /// Textures are averaged over a sample's share of its pixel: one of so many cells, or of as
     /// many as there were samples before it (sampling/pixel_share.h). 0: read at full resolution.
     std::uint32_t textureShares = 128;
+    /// Where there are many lights, so many are chosen at each point; 0: all are looked at.
+    int lightsAtPoint = 16;
     /// Once true, pixels are left with the samples that they have; looked at now and then.
     const std::atomic<bool>* cancel = nullptr;
 };

@@ -29,6 +29,7 @@ ScriptSettings scriptSettings(const Options& options, std::int64_t frame) {
         settings.time = static_cast<double>(frame - options.frames->first) /
                         static_cast<double>(options.frames->last - options.frames->first);
     }
+    if (options.size) settings.largestSide = std::max(options.size->width, options.size->height);
     settings.trust = options.trust;
     settings.legacyTransforms = options.legacyTransforms;
     settings.memoryLimit = options.scriptMemory;

@@ -29,6 +29,8 @@ constexpr FeatureText kTexts[] = {
     {kFeatureAreaLights, "area lights", "light samples", "every light is a point"},
     {kFeatureLightKinds, "light kinds", "what spots, suns and rectangles give",
      "every light is a gr.light"},
+    {kFeatureManyLights, "many lights", "a choice of lights at each point",
+     "the lights are few enough to look at them all"},
     {kFeatureLens, "lens", "lens samples", "no gr.focal with a lens radius above 0"},
     {kFeatureMeshes, "meshes", "mesh trees and normal interpolation", "no gr.mesh is placed"},
 };
