@@ -228,6 +228,7 @@ class Rendering(EndToEnd):
         "background image": "background image look-ups", "lights": "shadow rays",
         "absorption": "what media absorb along each ray", "light kinds": "what spots, suns and rectangles give",
         "motion blur": "a moment of its own for each sample",
+        "combined solids": "what solids have in common",
     }
     USES = {
         "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
@@ -240,6 +241,7 @@ class Rendering(EndToEnd):
         "light kinds": ("lights[1] = gr.spot_light{position = {0, 9, 9}, direction = {0, -1, -1}, colour = {1, 1, 1}}",
                         ["lights"]),
         "motion blur": ("ball:move(1, 0, 0)", []),
+        "combined solids": ("root:add_child(gr.difference('d', ball, gr.cube('c')), white)", []),
         "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
         "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
         "background image": ("gr.background('white.png')", []),
@@ -429,7 +431,8 @@ class Scenes(EndToEnd):
         self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
         render = json.loads(self.read("stats.json"))["renders"][0]
         for feature in ("reflection refraction lens meshes lights".split() +
-                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds", "motion blur"]):
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds", "motion blur",
+                         "combined solids"]):
             self.assertIn(feature, render["features"])
         self.assertEqual(render["skipped"], [])
         (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))

@@ -30,6 +30,8 @@ constexpr FeatureText kTexts[] = {
     {kFeatureLightKinds, "light kinds", "what spots, suns and rectangles give",
      "every light is a gr.light"},
     {kFeatureLens, "lens", "lens samples", "no gr.focal with a lens radius above 0"},
+    {kFeatureCsg, "combined solids", "what solids have in common",
+     "no gr.union, gr.intersection or gr.difference is placed"},
     {kFeatureMeshes, "meshes", "mesh trees and normal interpolation", "no gr.mesh is placed"},
 };
 
