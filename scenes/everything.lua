@@ -1,5 +1,5 @@
 -- Everything at once: a mirror, a cup of tea, a glass of water, textures and bumps, two sphere lights, a spot,
--- a lens, meshes, instances and a panorama.
+-- a lens, meshes, instances, a die of combined solids and a panorama.
 -- Look at: the focus lies on the cup; the mirror shows the table's other side, out of focus; both
 -- lights' shadows are soft, those of the glass light; the wall's bricks are bumps only.
 
@@ -95,6 +95,30 @@ local studded = gr.sphere('studded')
 studded:scale(0.55, 0.55, 0.55)
 studded:translate(3.1, 0.55, -2.5)
 root:add_child(studded, brass, nil, gr.bumpmap('studs_normal.png'))
+
+-- A die: a cube with its corners rounded by a ball, less its pips. Opposite faces add up to seven.
+local pips = gr.node('pips')
+local function pip(name, centre, radius) pips:add_child(gr.nh_sphere(name, centre, radius), glaze) end
+pip('one', {0, 1.25, 0}, 0.35)
+for _, side in ipairs{-0.5, 0.5} do
+    pip('two, ' .. side, {1.1, side, side}, 0.22)
+    for _, other in ipairs{-0.5, 0.5} do
+        pip('five, ' .. side .. other, {-1.1, side, other}, 0.22)
+        pip('four, ' .. side .. other, {side, other, -1.1}, 0.22)
+    end
+    for row = -1, 1 do pip('six, ' .. side .. row, {side, -1.1, 0.55 * row}, 0.22) end
+end
+for i = -1, 1 do pip('three, ' .. i, {0.55 * i, 0.55 * i, 1.1}, 0.22) end
+pip('five, middle', {-1.1, 0, 0}, 0.22)
+local cube = gr.nh_box('faces', {-1, -1, -1}, 2)
+cube:set_material(china)
+local rounding = gr.nh_sphere('corners', {0, 0, 0}, 1.5)
+rounding:set_material(china)
+local die = gr.difference('die', gr.intersection('rounded', cube, rounding), pips)
+die:scale(0.2, 0.2, 0.2)
+die:rotate('y', 35)
+die:translate(2.35, 0.2, 1.5)
+root:add_child(die)
 
 -- A string of pearls, one ball in forty places, lies around the cup; the last one rolls.
 local pearl = gr.sphere('pearl')

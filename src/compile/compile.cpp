@@ -1,5 +1,6 @@
 #include "rt/compile/compile.h"
 
+#include "csg_builder.h"
 #include "flatten.h"
 #include "motion_bounds.h"
 #include "radiance_bound.h"
@@ -37,6 +38,12 @@ double largestElement(const Mat3& m) {
 double largest(const Bounds& bounds) {
     const Vec3 v = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
     return std::max({v.x, v.y, v.z});
+}
+
+/// Magnitude of the coordinates that hits on a shape are computed from, beside its bounds.
+double roundingOf(const Shape& shape) {
+    const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape);
+    return csg ? (*csg)->rounding : 0.0;
 }
 
 /// The world box of a placed shape; met by no ray where a tree leaves it out, by all where the way
@@ -159,6 +166,8 @@ class Compiler {
             mesh = loaded(desc.where, [&] { return assets_.mesh(*file, angle, diagnostics_); });
         } else if (const auto* table = std::get_if<MeshTableDesc>(&desc.shape)) {
             mesh = assets_.mesh(*table, geometry, angle, desc.where, diagnostics_);
+        } else if (const auto* csg = std::get_if<CsgDesc>(&desc.shape)) {
+            return makeCsg(*csg, geometry);
         } else {
             return solidOf(desc.shape);
         }
@@ -173,43 +182,86 @@ class Compiler {
                 if constexpr (std::is_constructible_v<Shape, decltype(solid)>) {
                     return Shape(solid);
                 } else {
-                    throw std::logic_error("a mesh is not a solid");
+                    throw std::logic_error("a mesh or a combined solid is made elsewhere");
                 }
             },
             shape);
     }
 
+    std::optional<Shape> makeCsg(const CsgDesc& desc, Index geometry) {
+        const CsgSources sources{scene_, renderIndex_, diagnostics_,
+                                 [this](const NodeDesc& node, const Affine& map, Transform& out) {
+                                     return placeInstance(node, map, out);
+                                 },
+                                 [this](Index leaf) {
+                                     const Index shape = shapeOf(leaf);
+                                     return shape == kNone ? nullptr : &out_.shapes[shape];
+                                 }};
+        BuiltCsg built = buildCsg(sources, desc.node);
+        if (!built.shape) return std::nullopt;
+        out_.features |= kFeatureCsg;
+        leafLooks_[geometry] = std::move(built.looks);
+        return Shape(std::move(built.shape));
+    }
+
+    void requireAppearance(const AppearanceDesc& appearance, const NodeDesc& node) const {
+        if (appearance.material != kNone || appearance.texture != kNone) return;
+        throw SceneError("node '" + printable(node.name, 80) +
+                             "' has neither a material nor a texture: give it one with "
+                             "add_child(node, material) or node:set_material(material)",
+                         node.where);
+    }
+
     Index lookOf(const PlacedNode& placed, bool closed) {
         const AppearanceDesc& a = placed.appearance;
         const NodeDesc& node = scene_.nodes[placed.node];
-        if (a.material == kNone && a.texture == kNone) {
-            throw SceneError("node '" + printable(node.name, 80) +
-                                 "' has neither a material nor a texture: give it one with "
-                                 "add_child(node, material) or node:set_material(material)",
-                             node.where);
-        }
+        const auto leaves = leafLooks_.find(node.geometry);
+        if (leaves == leafLooks_.end()) requireAppearance(a, node);
         const auto [entry, added] =
             looks_.try_emplace(std::tuple(placed.node, a.material, a.texture, a.bump),
                                static_cast<Index>(out_.looks.size()));
-        if (added) {
+        if (!added) return entry->second;
+        if (leaves == leafLooks_.end()) {
             out_.looks.push_back(makeLook(a, node.at(renderIndex_)));
-            addAbsorption(node, closed, out_.looks.back());
+        } else {
+            for (const CsgLeafLook& leaf : leaves->second) addLeafLook(a, node, leaf);
         }
+        addAbsorption(node, closed, entry->second);
         return entry->second;
     }
 
-    void addAbsorption(const NodeDesc& node, bool closed, Look& look) {
+    /// What the whole says hides what the leaf says.
+    void addLeafLook(const AppearanceDesc& whole, const NodeDesc& node, const CsgLeafLook& leaf) {
+        const AppearanceDesc appearance = over(whole, leaf.appearance);
+        requireAppearance(appearance, scene_.nodes[leaf.node]);
+        Look look = makeLook(appearance, node.at(renderIndex_));
+        if (leaf.reflection && !look.reflects) addReflection(*leaf.reflection, look);
+        const bool isOwn = whole.material == kNone && whole.texture == kNone;
+        if (look.pattern && isOwn && !leaf.patternSpace.isIdentity()) {
+            look.patternSpace = std::make_shared<const Affine>(leaf.patternSpace);
+        }
+        out_.looks.push_back(std::move(look));
+    }
+
+    /// Of the looks from `first` on.
+    void addAbsorption(const NodeDesc& node, bool closed, Index first) {
         const Color& absorption = node.at(renderIndex_).absorption;
         if (absorption == Color(0.0)) return;
-        if (!look.refracts || !closed) {
+        if (!out_.looks[first].refracts || !closed) {
             diagnostics_.warn("unused-absorption", node.where,
                               "node '" + printable(node.name, 80) + "' absorbs nothing: " +
                                   (closed ? "no light shines through it without set_refraction"
                                           : "it is a sheet or an open mesh, which has no inside"));
             return;
         }
-        look.absorption = absorption;
+        for (Index i = first; i < out_.looks.size(); ++i) out_.looks[i].absorption = absorption;
         out_.features |= kFeatureAbsorption;
+    }
+
+    void addReflection(double ownWeight, Look& look) {
+        look.reflects = true;
+        look.reflectionOwnWeight = ownWeight;
+        out_.features |= kFeatureReflection;
     }
 
     Look makeLook(const AppearanceDesc& appearance, const NodeState& state) {
@@ -227,11 +279,7 @@ class Compiler {
         }
         if (appearance.bump != kNone) look.bump = image(scene_.bumps[appearance.bump].image);
         if (look.isPictured()) out_.features |= kFeatureImages;
-        if (state.reflection) {
-            look.reflects = true;
-            look.reflectionOwnWeight = *state.reflection;
-            out_.features |= kFeatureReflection;
-        }
+        if (state.reflection) addReflection(*state.reflection, look);
         if (state.refraction) {
             look.refracts = true;
             look.index = state.refraction->index;
@@ -272,7 +320,7 @@ class Compiler {
         std::vector<PaddedBox> padded;
         const bool few = out_.instances.size() <= kFewBoxes;
         for (const Shape& shape : out_.shapes) {
-            out_.shapeBoxes.push_back({boundsOf(shape), 0.0});
+            out_.shapeBoxes.push_back({boundsOf(shape), roundingOf(shape)});
         }
         boxes.reserve(out_.instances.size());
         auto moving = out_.moving.begin();
@@ -281,7 +329,8 @@ class Compiler {
             const bool bounded = kindOf(out_.shapes[instance.shape]).bounded;
             // The tree leaves out what has no finite box.
             boxes.push_back(bounded ? instance.transform.boundsToWorld(local) : kEverywhere);
-            const Vec3 reach = glm::max(glm::abs(local.min), glm::abs(local.max));
+            const Vec3 reach = glm::max(glm::max(glm::abs(local.min), glm::abs(local.max)),
+                                        Vec3(roundingOf(out_.shapes[instance.shape])));
             Bounds around = instance.transform.boundsToWorld({-reach, reach});
             if (moving != out_.moving.end() && moving->instance == boxes.size() - 1) {
                 if (bounded) {
@@ -290,7 +339,8 @@ class Compiler {
                 }
                 ++moving;
             }
-            instance.boxed = !(instance.transform.condition() > kBoxedCondition);
+            instance.boxed =
+                !(instance.transform.condition() > kBoxedCondition) && reach.x < kInfinity;
             const double thickness = thicknessOf(out_, instance);
             if (thickness > 0.0) out_.thinnest = std::min(out_.thinnest, thickness);
             if (few) padded.push_back(worldBox(instance, around, boxes.back()));
@@ -361,6 +411,7 @@ class Compiler {
     Diagnostics& diagnostics_;
     RenderScene out_;
     std::map<Index, Index> shapes_;  ///< of geometries
+    std::map<Index, std::vector<CsgLeafLook>> leafLooks_;
     std::map<std::tuple<Index, Index, Index, Index>, Index> looks_;
 };
 

@@ -12,8 +12,8 @@ std::uint64_t saturatingAdd(std::uint64_t a, std::uint64_t b) {
     return sum < a ? std::numeric_limits<std::uint64_t>::max() : sum;
 }
 
-/// What an edge says hides the child's own: a material or a texture hides both, a bump map the
-/// bump.
+}  // namespace
+
 AppearanceDesc over(const AppearanceDesc& edge, const AppearanceDesc& own) {
     AppearanceDesc result = own;
     if (edge.material != kNone || edge.texture != kNone) {
@@ -23,8 +23,6 @@ AppearanceDesc over(const AppearanceDesc& edge, const AppearanceDesc& own) {
     if (edge.bump != kNone) result.bump = edge.bump;
     return result;
 }
-
-}  // namespace
 
 std::uint64_t countPlaced(const SceneDesc& scene, Index root, std::size_t render) {
     constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();

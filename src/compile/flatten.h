@@ -17,6 +17,10 @@ struct PlacedNode {
     AppearanceDesc appearance;  ///< the last edge's, where it says something, over the node's own
 };
 
+/// What an edge says hides the child's own: a material or a texture hides both, a bump map the
+/// bump.
+AppearanceDesc over(const AppearanceDesc& edge, const AppearanceDesc& own);
+
 /// How many objects the graph below `root` places, as render number `render` sees it; counted
 /// without walking every way, so a DAG of 2^40 ways costs no more than its nodes. Saturates.
 std::uint64_t countPlaced(const SceneDesc& scene, Index root, std::size_t render);

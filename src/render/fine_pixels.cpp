@@ -240,6 +240,11 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
         }
         std::array<Vec2, 8> points;
         if (!project(scene.camera, instance, boundsOf(shape), points)) continue;
+        if (std::holds_alternative<std::shared_ptr<const CsgShape>>(shape)) {
+            // What is left of solids may be as narrow as it likes.
+            mark(points, kEverywhere, area, fine);
+            continue;
+        }
         const Strip strip = narrowest(points);
         if (strip.width() < kNarrowPixels) {
             mark(points, strip, area, fine);

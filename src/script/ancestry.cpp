@@ -6,6 +6,20 @@
 
 namespace rt {
 
+namespace {
+
+/// Operands of a node, then its children.
+std::size_t countBelow(const NodeDesc& node) {
+    return node.operands.size() + node.latest().children.size();
+}
+
+Index below(const NodeDesc& node, std::size_t i) {
+    const std::size_t operands = node.operands.size();
+    return i < operands ? node.operands[i] : node.latest().children[i - operands].child;
+}
+
+}  // namespace
+
 void Ancestry::grow() {
     const std::size_t count = nodes_.size();
     if (firstLink_.size() >= count) return;
@@ -27,8 +41,9 @@ bool Ancestry::step(Side side, std::vector<Stop>& way, Index goal) {
     Stop& stop = way.back();
     Index neighbour = kNone;
     if (side == kDown) {
-        const auto& children = nodes_[stop.node].latest().children;
-        if (stop.next < children.size()) neighbour = children[stop.next++].child;
+        if (stop.next < countBelow(nodes_[stop.node])) {
+            neighbour = below(nodes_[stop.node], stop.next++);
+        }
     } else if (stop.next != kNone) {
         neighbour = links_[stop.next].parent;
         stop.next = links_[stop.next].next;
@@ -46,7 +61,7 @@ bool Ancestry::closesCycle(Index parent, Index child) {
     grow();
     if (parent == child) return true;
     const bool parentIsFresh = firstLink_[parent] == kNone;
-    if (parentIsFresh || nodes_[child].latest().children.empty()) return false;
+    if (parentIsFresh || countBelow(nodes_[child]) == 0) return false;
     if (++search_ == 0) {  // the counter wrapped: forget all marks
         for (auto& seen : seen_) std::fill(seen.begin(), seen.end(), 0);
         search_ = 1;
@@ -65,8 +80,9 @@ std::vector<Index> Ancestry::pathDown(Index from, Index to) const {
     while (!waiting.empty() && cameFrom.count(to) == 0) {
         const Index node = waiting.front();
         waiting.pop_front();
-        for (const EdgeDesc& edge : nodes_[node].latest().children) {
-            if (cameFrom.emplace(edge.child, node).second) waiting.push_back(edge.child);
+        for (Index i = 0; i < countBelow(nodes_[node]); ++i) {
+            const Index next = below(nodes_[node], i);
+            if (cameFrom.emplace(next, node).second) waiting.push_back(next);
         }
     }
     std::vector<Index> path;

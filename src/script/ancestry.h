@@ -27,8 +27,8 @@ class Ancestry {
         Index parent;
         Index next;  ///< into links_
     };
-    /// A node on the way of a search, and the edge to follow next: of `children` on the way down,
-    /// of `links_` on the way up.
+    /// A node on the way of a search, and the edge to follow next: of operands and children on the
+    /// way down, of `links_` on the way up.
     struct Stop {
         Index node;
         Index next;

@@ -108,10 +108,15 @@ void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& b
 
 const std::vector<CallGroup>& callGroups() {
     static const std::vector<CallGroup> groups = {
-        {"Nodes", nodeCalls},           {"Primitives", primitiveCalls},
-        {"Meshes", meshCalls},          {"Appearance", appearanceCalls},
-        {"Patterns", patternCalls},     {"Lights and lens", lightCalls},
-        {"Images", renderCalls},        {"Options", optionCalls},
+        {"Nodes", nodeCalls},
+        {"Primitives", primitiveCalls},
+        {"Meshes", meshCalls},
+        {"Combined solids", csgCalls},
+        {"Appearance", appearanceCalls},
+        {"Patterns", patternCalls},
+        {"Lights and lens", lightCalls},
+        {"Images", renderCalls},
+        {"Options", optionCalls},
         {"Parameters", parameterCalls},
     };
     return groups;
@@ -177,7 +182,8 @@ CallResult runCall(const CallRow& row, const Arguments& arguments, SceneBuilder&
     const CallForm& form = formOf(row, arguments);
     if (form.named) spreadFields(row, form, arguments, builder);
     Call call(arguments, builder);
-    for (std::size_t i = 0; i < form.parameters.size(); ++i) {
+    const std::size_t read = form.parameters.size() - (form.repeats ? 1 : 0);
+    for (std::size_t i = 0; i < read; ++i) {
         const Parameter& parameter = form.parameters[i];
         const int slot = Call::slot(i);
         const bool missing = form.named ? !arguments.isGiven(slot) : slot > arguments.count();
@@ -191,7 +197,7 @@ CallResult runCall(const CallRow& row, const Arguments& arguments, SceneBuilder&
         }
         call.set(i, readValue(arguments, slot, parameter));
     }
-    warnOfExtra(form, arguments, builder);
+    if (!form.repeats) warnOfExtra(form, arguments, builder);
     return form.run(call);
 }
 

@@ -87,6 +87,9 @@ struct CallForm {
     bool (*fits)(const Arguments&) = nullptr;
     /// Whether the call takes one table, whose fields are the parameters.
     bool named = false;
+    /// Whether any number of arguments may follow that are like the last parameter, which the
+    /// handler reads.
+    bool repeats = false;
 };
 
 struct CallRow {
@@ -138,6 +141,7 @@ Vec3 unitArgument(Call& call, std::size_t i, const char* name);
 // The rows by concept; callTable is all of them.
 std::vector<CallRow> primitiveCalls();
 std::vector<CallRow> meshCalls();
+std::vector<CallRow> csgCalls();
 std::vector<CallRow> nodeCalls();
 std::vector<CallRow> appearanceCalls();
 std::vector<CallRow> patternCalls();

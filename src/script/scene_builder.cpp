@@ -111,6 +111,16 @@ Index SceneBuilder::addGeometry(GeometryShape shape) {
     return append(scene_.geometries, GeometryDesc{std::move(shape), where_});
 }
 
+ObjectRef SceneBuilder::addCombined(const std::string& name, CsgOperation operation,
+                                    std::vector<Index> operands) {
+    charge(operands.size() * sizeof(Index));
+    const auto next = static_cast<Index>(scene_.nodes.size());
+    const ObjectRef node = addNode(name, addGeometry(CsgDesc{operation, next}));
+    for (const Index operand : operands) ancestry_.add(node.index, operand);
+    scene_.nodes[node.index].operands = std::move(operands);
+    return node;
+}
+
 std::string SceneBuilder::resolveAsset(const std::string& file, AssetRole role) {
     const auto known = resolvedFiles_.find({file, role});
     if (known != resolvedFiles_.end()) return known->second;

@@ -66,6 +66,9 @@ class SceneBuilder {
 
     ObjectRef addNode(const std::string& name, Index geometry = kNone);
     Index addGeometry(GeometryShape shape);
+    /// A node of the solid that others make.
+    ObjectRef addCombined(const std::string& name, CsgOperation operation,
+                          std::vector<Index> operands);
     /// The file's geometry; the same file and smoothing share one.
     Index meshFile(const std::string& file, std::optional<double> smoothAngle);
     /// The file's image; the same file has one image.

@@ -3,6 +3,7 @@
 #include "rt/geometry/curvature.h"
 #include "rt/shading/fresnel.h"
 #include "scene_intersect.h"
+#include "with_shape.h"
 
 #include <cmath>
 #include <limits>
@@ -15,6 +16,16 @@ Vec3 onPlane(const Vec3& apart, const Vec3& direction, const Vec3& normal) {
     return apart - direction * (glm::dot(apart, normal) / glm::dot(direction, normal));
 }
 
+/// The derivative of the unit normal `n` where that of the object's normal `outside`, of any
+/// length, is `change`.
+Vec3 changeThrough(const Affine& toObject, const Vec3& change, const Vec3& outside, const Vec3& n) {
+    const Mat3 forNormals = glm::transpose(toObject.linear);
+    const Vec3 moved = forNormals * change;
+    const Vec3 normal = forNormals * outside;
+    const double side = glm::dot(normal, n) < 0.0 ? -1.0 : 1.0;
+    return side * (moved - glm::dot(moved, n) * n) / glm::length(normal);
+}
+
 struct NormalChange {
     const PrimitiveHit& hit;
     const Vec3& along;
@@ -23,8 +34,18 @@ struct NormalChange {
     Vec3 operator()(const Solid& solid) const {
         return normalChange(solid, hit, along);
     }
-    Vec3 operator()(const std::shared_ptr<const MeshShape>& shape) const {
+    Vec3 operator()(const MeshPointer& shape) const {
         return normalChange(shape->mesh, hit, along);
+    }
+    Vec3 operator()(const CsgPointer& shape) const {
+        const CsgLeaf& leaf = shape->leaves[hit.leaf];
+        const Affine& toLeaf = leaf.transform.toObject();
+        const Vec3 alongLeaf = toLeaf.vector(along);
+        const Vec3 change = withShape(leaf.shape, NormalChange{hit, alongLeaf});
+        if (change == Vec3(0.0)) return change;
+        const SurfaceOfShape surfaceOf{hit, SurfaceDetail::kShape};
+        return changeThrough(toLeaf, change, withShape(leaf.shape, surfaceOf).shadingNormal,
+                             surfaceOf(shape).shadingNormal);
     }
 };
 
@@ -37,12 +58,8 @@ Vec3 worldNormalChange(const RenderScene& scene, const SceneHit& hit, const Vec3
     const Vec3 alongInObject = toObject.vector(along);
     const Vec3 change = std::visit(NormalChange{hit.at, alongInObject}, shape);
     if (change == Vec3(0.0)) return change;
-    const Vec3 outside = surfaceAt(scene, hit, SurfaceDetail::kShape).shadingNormal;
-    const Mat3 forNormals = glm::transpose(toObject.linear);
-    const Vec3 moved = forNormals * change;
-    const Vec3 normal = forNormals * outside;
-    const double side = glm::dot(normal, n) < 0.0 ? -1.0 : 1.0;
-    return side * (moved - glm::dot(moved, n) * n) / glm::length(normal);
+    return changeThrough(toObject, change,
+                         surfaceAt(scene, hit, SurfaceDetail::kShape).shadingNormal, n);
 }
 
 RayDifferential unknown() {
@@ -66,7 +83,7 @@ RayDifferential differentialBeyond(const RayDifferential& before, const RenderSc
                                    const Vec3& direction, double ratio) {
     const bool straight = ratio == 1.0;
     const Vec3& d = ray.direction;
-    const Look& look = scene.looks[scene.instances[hit.instance].look];
+    const Look& look = lookAt(scene, hit);
     const bool facing = glm::dot(d, point.normal) < 0.0;
     const Vec3& n = facing ? point.normal : point.geometricNormal;
     // The slope of a bump map's normals is not followed, nor that of directions brought to a side.

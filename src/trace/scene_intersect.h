@@ -56,6 +56,11 @@ void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
 bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,
                     PrimitiveHit& hit, Vec3& normal);
 
+/// What the surface at a hit does with light.
+inline const Look& lookAt(const RenderScene& scene, const SceneHit& hit) {
+    return scene.looks[scene.instances[hit.instance].look + hit.at.leaf];
+}
+
 /// The object-space surface at a hit.
 SurfacePoint surfaceAt(const RenderScene& scene, const SceneHit& hit, SurfaceDetail detail);
 

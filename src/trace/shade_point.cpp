@@ -28,12 +28,17 @@ Color textureColor(const Look& look, const SurfacePoint& surface, const Transfor
     return look.texture->filtered(surface.uv, beam->on(surface, transform, t));
 }
 
-Color patternColor(const Pattern& pattern, const SurfacePoint& surface, const Transform& transform,
+Color patternColor(const Look& look, const SurfacePoint& surface, const Transform& transform,
                    double t, const Beam* beam) {
+    const Pattern& pattern = *look.pattern;
+    const Affine* space = look.patternSpace.get();
+    const Vec3 at = space ? space->point(surface.point) : surface.point;
+    const Vec3 out = space ? glm::normalize(space->vector(surface.normal)) : surface.normal;
     // A face that lies where two cells meet shows the inner ones.
-    const Vec3 p = surface.point - (kPatternDepth * pattern.size) * surface.normal;
+    const Vec3 p = at - (kPatternDepth * pattern.size) * out;
     if (!beam) return pattern.at(p);
-    const std::array<Vec3, 2> sides = beam->sidesOn(surface, transform, t);
+    std::array<Vec3, 2> sides = beam->sidesOn(surface, transform, t);
+    if (space) sides = {space->vector(sides[0]), space->vector(sides[1])};
     return pattern.mean(p, sides[0], sides[1], beam->share.phase);
 }
 
@@ -42,7 +47,7 @@ Color patternColor(const Pattern& pattern, const SurfacePoint& surface, const Tr
 ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3& rayDirection,
                       bool images, const Beam* beam) {
     const Instance& instance = scene.instances[hit.instance];
-    const Look& look = scene.looks[instance.look];
+    const Look& look = lookAt(scene, hit);
     const Transform& transform = instance.transform;
     const bool pictured = images && (look.texture || look.bump);
     const SurfacePoint surface =
@@ -53,7 +58,7 @@ ShadePoint shadePoint(const RenderScene& scene, const SceneHit& hit, const Vec3&
     if (images && look.texture) {
         point.material.diffuse = textureColor(look, surface, transform, hit.at.t, beam);
     } else if (images && look.pattern) {
-        point.material.diffuse = patternColor(*look.pattern, surface, transform, hit.at.t, beam);
+        point.material.diffuse = patternColor(look, surface, transform, hit.at.t, beam);
     }
     const Vec3 shading = objectNormal(look, surface, images);
     const bool smooth = shading != surface.normal;

@@ -4,6 +4,7 @@
 #include "rt/math/lanes4.h"
 #include "rt/sampling/warp.h"
 #include "scene_intersect.h"
+#include "with_shape.h"
 
 #include <algorithm>
 #include <bit>
@@ -71,7 +72,8 @@ struct MeetsHull {
         return hull.meetsBall(box.centre(), 0.5 * box.extent().x);
     }
     bool operator()(const Plane&) const { return hull.meetsGround(); }
-    bool operator()(const std::shared_ptr<const MeshShape>&) const { return hull.mayMeet(box); }
+    bool operator()(const MeshPointer&) const { return hull.mayMeet(box); }
+    bool operator()(const CsgPointer&) const { return hull.mayMeet(box); }
     template <class Solid>
     bool operator()(const Solid&) const {
         constexpr int kAxis = Solid::kKind.axis;
@@ -91,7 +93,8 @@ struct BehindTangentPlane {
         return Solid::kKind.convex;
     }
     bool operator()(const Torus& torus) const { return torus.isOuterHalf(hit); }
-    bool operator()(const std::shared_ptr<const MeshShape>&) const { return false; }
+    bool operator()(const MeshPointer&) const { return false; }
+    bool operator()(const CsgPointer& shape) const { return shape->convex; }
 };
 
 /// A hull against four boxes at a time: mayMeet, with the divisions done beforehand.

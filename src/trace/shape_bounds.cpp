@@ -1,3 +1,4 @@
+#include "rt/trace/csg_shape.h"
 #include "rt/trace/render_scene.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ struct BoundsOf {
     Bounds operator()(const std::shared_ptr<const MeshShape>& shape) const {
         return shape->tree.bounds();
     }
+    Bounds operator()(const std::shared_ptr<const CsgShape>& shape) const { return shape->bounds; }
 };
 
 struct KindOf {
@@ -24,6 +26,9 @@ struct KindOf {
     SolidKind operator()(const std::shared_ptr<const MeshShape>& shape) const {
         return {.convex = false, .closed = shape->mesh.closed};
     }
+    SolidKind operator()(const std::shared_ptr<const CsgShape>& shape) const {
+        return {.convex = shape->convex};
+    }
 };
 
 struct NameOf {
@@ -32,6 +37,9 @@ struct NameOf {
         return Solid::kName;
     }
     const char* operator()(const std::shared_ptr<const MeshShape>&) const { return "mesh"; }
+    const char* operator()(const std::shared_ptr<const CsgShape>& shape) const {
+        return shape->name;
+    }
 };
 
 /// Sheets have an extent of 0, which would say that nothing is known.
@@ -56,6 +64,9 @@ double thicknessOf(const RenderScene& scene, const Instance& instance) {
     const bool isMesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
     if (isMesh || !kindOf(shape).bounded) return kInfinity;
     if (!(instance.objectScale > 0.0)) return 0.0;
+    if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape)) {
+        return std::max((*csg)->thickness, kThinnest) / instance.objectScale;
+    }
     const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
     return std::max(std::min({size.x, size.y, size.z}), kThinnest) / instance.objectScale;
 }

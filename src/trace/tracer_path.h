@@ -189,7 +189,7 @@ typename Tracer<Features>::Split Tracer<Features>::split(const Path& path, const
                                                          const MediumSet& beyond) const {
     Split parts;
     if (path.depth >= settings_.maxDepth) return parts;
-    const Look& look = lookOf(hit.instance);
+    const Look& look = lookAt(scene_, hit);
     const bool solid = !(kRefraction && look.refracts);
     if (solid && !look.reflects) return parts;
 
@@ -211,7 +211,7 @@ typename Tracer<Features>::Split Tracer<Features>::split(const Path& path, const
 template <unsigned Features>
 void Tracer<Features>::shineThrough(const Path& path, const SceneHit& hit, const ShadePoint& point,
                                     const MediumSet& beyond, Split& parts) const {
-    const Look& look = lookOf(hit.instance);
+    const Look& look = lookAt(scene_, hit);
     const Vec3& d = path.ray.direction;
     const Vec3& n = glm::dot(d, point.normal) < 0.0 ? point.normal : point.geometricNormal;
     const bool sheet = isSheet(hit.instance);

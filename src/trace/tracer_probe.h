@@ -4,12 +4,24 @@
 
 #include "light_mean.h"
 #include "rt/sampling/warp.h"
+#include "rt/trace/csg_shape.h"
 #include "tracer.h"
 
 #include <cmath>
 #include <numbers>
 
 namespace rt {
+
+/// Names the surface at a hit; all of a mesh is one.
+inline std::uint64_t pieceAt(const RenderScene& scene, const SceneHit& hit) {
+    const Shape* shape = &scene.shapes[scene.instances[hit.instance].shape];
+    if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(shape)) {
+        shape = &(*csg)->leaves[hit.at.leaf].shape;
+    }
+    const bool isMesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(*shape);
+    const std::uint64_t face = isMesh ? 0 : hit.at.part;
+    return std::uint64_t{hit.at.leaf} << 40 | std::uint64_t{hit.instance} << 8 | face;
+}
 
 template <unsigned Features>
 void Tracer<Features>::probeCorner(int x, int y, int spacing, std::uint32_t end, Probe& probe) {
@@ -101,20 +113,15 @@ template <unsigned Features>
 void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
                               const ShadePoint& point, ProbeSum& sum) {
     Probe& evidence = *sum.evidence;
-    const Instance& instance = scene_.instances[hit.instance];
-    const bool isMesh =
-        std::holds_alternative<std::shared_ptr<const MeshShape>>(scene_.shapes[instance.shape]);
-    const std::uint64_t face = isMesh ? 0 : hit.at.part;
     evidence.surfaces = subKey(evidence.surfaces, path.node);
-    evidence.surfaces = subKey(evidence.surfaces, std::uint64_t{hit.instance} << 8 | face);
+    evidence.surfaces = subKey(evidence.surfaces, pieceAt(scene_, hit));
     if (path.depth == 0) {
         evidence.marks |= kProbeHit;
         evidence.position = glm::vec3(point.position - scene_.camera.eye());
         evidence.normal = glm::vec3(point.geometricNormal);
     }
     if constexpr (kImages) {
-        const Look& look = scene_.looks[instance.look];
-        if (look.isPictured()) evidence.marks |= kProbeDetail;
+        if (lookAt(scene_, hit).isPictured()) evidence.marks |= kProbeDetail;
     }
     if constexpr (kSecondary) {
         markNarrow(path, glm::length(point.position - path.ray.origin), sum);

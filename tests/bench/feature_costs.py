@@ -40,6 +40,7 @@ FEATURES = {
     "textures and bump maps": "root:add_child(far, nil, gr.texture('white.png', {0, 0, 0}, 1))",
     "patterns": "root:add_child(far, nil, gr.checker{first = {1, 1, 1}, second = {1, 1, 1}})",
     "meshes": "root:add_child(gr.mesh('far', {{0, 900, 900}, {1, 900, 900}, {0, 901, 900}}, {{0, 1, 2}}), grey)",
+    "combined solids": "root:add_child(gr.difference('d', far, gr.nh_sphere('b', {0, 900, 901}, 1)), grey)",
     "reflection": "far:set_reflection(0.5) root:add_child(far, grey)",
     "refraction": "far:set_refraction(1.5, 0.5) root:add_child(far, grey)",
     "motion blur": "far:move(0, 0, 1) root:add_child(far, grey)",

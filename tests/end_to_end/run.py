@@ -228,6 +228,7 @@ class Rendering(EndToEnd):
         "background image": "background image look-ups", "lights": "shadow rays",
         "absorption": "what media absorb along each ray", "light kinds": "what spots, suns and rectangles give",
         "motion blur": "a moment of its own for each sample", "many lights": "a choice of lights at each point",
+        "combined solids": "what solids have in common",
     }
     USES = {
         "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
@@ -241,6 +242,7 @@ class Rendering(EndToEnd):
                         ["lights"]),
         "motion blur": ("ball:spin('y', 90)", []),
         "many lights": ("for i = 1, 32 do lights[i] = gr.light({i, 9, 9}, {1, 1, 1}, {1, 0, 0}) end", ["lights"]),
+        "combined solids": ("root:add_child(gr.difference('d', ball, gr.cube('c')), white)", []),
         "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
         "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
         "background image": ("gr.background('white.png')", []),
@@ -430,7 +432,8 @@ class Scenes(EndToEnd):
         self.run_project(*common, "--reference", "-j", "1", "--isa", "baseline", "-o", "truth.pfm")
         render = json.loads(self.read("stats.json"))["renders"][0]
         for feature in ("reflection refraction lens meshes lights".split() +
-                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds", "motion blur"]):
+                        ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds", "motion blur",
+                         "combined solids"]):
             self.assertIn(feature, render["features"])
         self.assertEqual([skipped["what"] for skipped in render["skipped"]], ["a choice of lights at each point"])
         (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))

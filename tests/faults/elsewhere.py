@@ -15,7 +15,6 @@ ELSEWHERE = {
 ABSENT = {
     "G12": ".tx files are no images that are read",
     "G14": "{colorspace=}: what an image is used for says how it is read",
-    "H10": "constructive solid geometry",
     "H11": "plugins that change the floating-point environment: the only one loaded is OpenImageIO",
     "H13": "--time within a pixel, and a heat map",
     "I17": "file systems without renames: one file that cannot be renamed over is overwritten in place",

@@ -44,8 +44,20 @@ std::string SceneWriter::vector(double low, double high) {
     return "{" + x + ", " + y + ", " + number(low, high) + "}";
 }
 
+/// Of whatever the nodes are: sheets, groups and the whole scene, too.
+std::string SceneWriter::combined() {
+    static constexpr const char* kCalls[] = {"gr.union", "gr.intersection", "gr.difference"};
+    std::string text = oneOf(kCalls) + ", 's'";
+    const std::size_t count = 2 + below(2);
+    for (std::size_t i = 0; i < count; ++i) text += ", " + name('n');
+    return text;
+}
+
 std::string SceneWriter::node() {
-    switch (below(19)) {
+    switch (below(21)) {
+        case 19:
+        case 20:
+            return combined();
         case 0:
             return "gr.node, 'group'";
         case 1:

@@ -27,6 +27,7 @@ class SceneWriter {
     std::string vector(double low, double high);
     std::string name(char kind) { return kind + ("[" + std::to_string(1 + below(8)) + "]"); }
     std::string node();
+    std::string combined();
     std::string appearance();
     std::string statement();
     std::string change();

@@ -50,11 +50,22 @@ class RandomScene:
         if self.rng.random() < 0.15:
             return "gr.mesh(%s, 'file', {smooth = %s})" % (self.file("Model", self.rng.choice(MESHES), "obj"),
                                                           self.rng.choice(("true", "false", "30")))
+        if self.rng.random() < 0.12:
+            return self.combined()
         if self.rng.random() < 0.2:
             radii = [number(self.rng.uniform(0.1, 1.2)) for _ in range(2)]
             return self.rng.choice(["gr.disc('d')", "gr.quad('q')", "gr.hemisphere('h')",
                                     "gr.nh_frustum('f', {0, -0.5, 0}, 1.5, %s, %s)" % tuple(radii)])
         return Solid(self.rng.choice(KINDS), self.rng).lua()
+
+    def combined(self, levels=2):
+        """Solids within solids, each moved."""
+        rng = self.rng
+        parts = [Solid(rng.choice(KINDS), rng).lua() if levels == 0 or rng.random() < 0.6 else self.combined(levels - 1)
+                 for _ in range(rng.randint(2, 3))]
+        call = rng.choice(("union", "intersection", "difference"))
+        return "gr.%s('%s', %s)" % (call, call, ", ".join(
+            "moved(%s, %s)" % (part, ", ".join(number(rng.uniform(-0.6, 0.6)) for _ in range(3))) for part in parts))
 
     def look(self):
         rng = self.rng
@@ -78,6 +89,7 @@ class RandomScene:
     def nodes(self):
         rng = self.rng
         text = "root = gr.node('root')\ngroups = {root}\n"
+        text += "function moved(part, x, y, z) part:translate(x, y, z) return part end\n"
         for i in range(rng.randint(1, 14)):
             grouped = rng.random() < 0.2
             text += "node = %s\n" % ("gr.node('group')" if grouped else self.solid()) + self.move() + ("" if grouped else self.look())

@@ -15,6 +15,8 @@ struct PrimitiveHit {
     Vec3 local{0.0};
     /// Which piece of the surface: a face, a cap, a triangle of a mesh.
     Index part = 0;
+    /// Which of the solids that a combined one is made of; `local` and `part` are of that.
+    Index leaf = 0;
 };
 
 /// How much of a SurfacePoint is wanted. Texture coordinates and their derivatives cost angles, and

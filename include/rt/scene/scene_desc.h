@@ -79,8 +79,17 @@ struct MeshTableDesc {
     std::optional<double> smoothAngle;
 };
 
+enum class CsgOperation { kUnion, kIntersection, kDifference };
+
+/// The solid that the operands of a node make: all of them, what they have in common, or the first
+/// without the others.
+struct CsgDesc {
+    CsgOperation operation = CsgOperation::kUnion;
+    Index node = kNone;  ///< whose operands they are
+};
+
 using GeometryShape = std::variant<Sphere, Box, Cylinder, Cone, Torus, Disc, Rectangle, Plane,
-                                   Hemisphere, Frustum, MeshFileDesc, MeshTableDesc>;
+                                   Hemisphere, Frustum, MeshFileDesc, MeshTableDesc, CsgDesc>;
 
 struct GeometryDesc {
     GeometryShape shape;
@@ -126,6 +135,7 @@ class NodeDesc {
     std::string name;
     Index geometry;  ///< kNone: a group
     SourceLocation where;
+    std::vector<Index> operands;  ///< of a union, an intersection or a difference
 
     /// The state that render number `render` sees.
     const NodeState& at(std::size_t render) const;

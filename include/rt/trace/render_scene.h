@@ -1,57 +1,30 @@
 // The compiled scene: flat, built once, then only read.
 #pragma once
 
-#include "rt/accel/mesh_tree.h"
 #include "rt/accel/padded_boxes.h"
 #include "rt/accel/wide_tree.h"
 #include "rt/core/motion.h"
 #include "rt/core/transform.h"
-#include "rt/geometry/box.h"
-#include "rt/geometry/cone.h"
-#include "rt/geometry/cylinder.h"
-#include "rt/geometry/disc.h"
-#include "rt/geometry/frustum.h"
-#include "rt/geometry/hemisphere.h"
-#include "rt/geometry/plane.h"
-#include "rt/geometry/rectangle.h"
-#include "rt/geometry/sphere.h"
-#include "rt/geometry/torus.h"
-#include "rt/geometry/triangle_mesh.h"
 #include "rt/shading/light.h"
 #include "rt/shading/light_tree.h"
 #include "rt/shading/material.h"
 #include "rt/shading/pattern.h"
 #include "rt/shading/texture.h"
 #include "rt/trace/camera.h"
+#include "rt/trace/shape.h"
 
 #include <memory>
-#include <variant>
 #include <vector>
 
 namespace rt {
-
-/// A mesh with its tree, held once however often it is placed.
-struct MeshShape {
-    TriangleMesh mesh;
-    MeshTree tree;
-};
-
-using Shape = std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>,
-                           Disc, Rectangle, Plane, Hemisphere, Frustum>;
-
-/// In the shape's own space.
-Bounds boundsOf(const Shape& shape);
-
-/// What its form is; a mesh is taken for not convex.
-SolidKind kindOf(const Shape& shape);
-/// "sphere", for people.
-const char* nameOf(const Shape& shape);
 
 /// What a surface does with light, all of it resolved.
 struct Look {
     Material material;
     std::shared_ptr<const Texture> texture;  ///< replaces material.diffuse where there is one
     std::shared_ptr<const Pattern> pattern;  ///< does so, too
+    /// From the object's space to the pattern's, where they differ.
+    std::shared_ptr<const Affine> patternSpace;
     std::shared_ptr<const Texture> bump;
 
     /// Whether what it shows varies from point to point.
@@ -70,7 +43,7 @@ struct Look {
 struct Instance {
     Transform transform;
     Index shape = 0;
-    Index look = 0;
+    Index look = 0;  ///< of a combined solid that of its first leaf; the others' follow
     /// Order of creation: of overlapping solids, the one of highest order decides the index.
     Index order = 0;
     Index node = 0;  ///< of the description, that it places
@@ -102,6 +75,7 @@ enum Feature : unsigned {
     kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
     kFeatureMotion = 1u << 8,
     kFeatureManyLights = 1u << 9,  ///< more than are looked at from each point
+    kFeatureCsg = 1u << 10,  ///< unions, intersections, differences
 };
 
 struct Background {

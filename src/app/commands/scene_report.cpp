@@ -32,6 +32,8 @@ constexpr FeatureText kTexts[] = {
     {kFeatureManyLights, "many lights", "a choice of lights at each point",
      "the lights are few enough to look at them all"},
     {kFeatureLens, "lens", "lens samples", "no gr.focal with a lens radius above 0"},
+    {kFeatureCsg, "combined solids", "what solids have in common",
+     "no gr.union, gr.intersection or gr.difference is placed"},
     {kFeatureMeshes, "meshes", "mesh trees and normal interpolation", "no gr.mesh is placed"},
 };
 

@@ -1,0 +1,15 @@
+// Where a line crosses the surfaces of the leaves of a combined solid.
+#pragma once
+
+#include "rt/trace/csg_shape.h"
+#include "small_list.h"
+
+namespace rt {
+
+using CrossingList = SmallList<PrimitiveHit, 16>;
+
+/// Adds all crossings of the ray's whole line with a leaf; an even number, each of them from one
+/// side of its surface to the other. `ray` is in the space of the whole. Whether there are any.
+bool addLeafCrossings(const CsgShape& csg, Index leaf, const Ray& ray, CrossingList& crossings);
+
+}  // namespace rt
