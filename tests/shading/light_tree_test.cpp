@@ -33,20 +33,26 @@ struct Surface {
     Vec3 normal = glm::normalize(Vec3(0.2, 1.0, -0.3));
 };
 
-/// What each light counts for in the mean over evenly many shifts.
-std::vector<double> meanWeights(const std::vector<Light>& lights, const Surface& surface, int count,
-                                int shifts) {
+struct Weights {
+    std::vector<double> mean;   ///< of each light, over the shifts
+    std::vector<double> grain;  ///< by how much one shift more would raise it
+};
+
+Weights meanWeights(const std::vector<Light>& lights, const Surface& surface, int count,
+                    int shifts) {
     const LightTree tree(lights);
-    std::vector<double> sums(lights.size(), 0.0);
+    Weights weights{std::vector<double>(lights.size(), 0.0),
+                    std::vector<double>(lights.size(), 0.0)};
     for (int i = 0; i < shifts; ++i) {
         const LightTree::Choice choice =
             tree.choose(surface.at, surface.normal, surface.normal, count, (i + 0.5) / shifts);
         for (int k = 0; k < choice.count; ++k) {
             const ChosenLight& chosen = choice.lights[static_cast<std::size_t>(k)];
-            sums[chosen.light] += chosen.weight / shifts;
+            weights.mean[chosen.light] += chosen.weight / shifts;
+            weights.grain[chosen.light] = chosen.weight / shifts;
         }
     }
-    return sums;
+    return weights;
 }
 
 double irradianceOf(const Light& light, const Vec3& from) {
@@ -69,17 +75,15 @@ TEST_CASE("in the mean over the shifts each light above the surface counts once,
             const auto lights = anyLights(lightCount, 5u + static_cast<unsigned>(lightCount));
             constexpr int kShifts = 20'000;
             const Surface surface;
-            const std::vector<double> means = meanWeights(lights, surface, count, kShifts);
-            double worst = 0.0;
+            const Weights weights = meanWeights(lights, surface, count, kShifts);
+            const std::vector<double>& means = weights.mean;
             for (std::size_t i = 0; i < lights.size(); ++i) {
                 if (isAbove(lights[i], surface)) {
-                    // One shift more or less, of a light that is seldom chosen.
-                    worst = std::max(worst, std::fabs(means[i] - 1.0));
+                    CHECK(std::fabs(means[i] - 1.0) <= 1.01 * weights.grain[i]);
                 } else {
                     CHECK(means[i] == 0.0);
                 }
             }
-            CHECK(worst < 0.2);
             double sum = 0.0;
             double expected = 0.0;
             for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -116,7 +120,7 @@ TEST_CASE("choices are few, of different lights, and near ones come first") {
         std::sort(chosen.begin(), chosen.end());
         CHECK(std::unique(chosen.begin(), chosen.end()) == chosen.end());
     }
-    CHECK(found > 10);  // 16 in 1000 if all were alike
+    CHECK(found >= 5);  // 1 or 2 if all were alike
 }
 
 TEST_CASE("suns stand beside the tree; one place for all, and no power, are taken") {
