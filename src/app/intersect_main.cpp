@@ -79,6 +79,15 @@ Shape readFrustum(Numbers& in) {
     return Frustum(base, height, baseRadius, in.next());
 }
 
+Shape readQuadric(Numbers& in) {
+    QuadricCoefficients k;
+    for (double* coefficient : {&k.xx, &k.yy, &k.zz, &k.xy, &k.yz, &k.zx, &k.x, &k.y, &k.z, &k.c}) {
+        *coefficient = in.next();
+    }
+    const Vec3 lo = in.vec();
+    return Quadric(k, lo, in.vec());
+}
+
 Shape readHemisphere(Numbers& in) {
     const Vec3 centre = in.vec();
     return Hemisphere(centre, in.next());
@@ -132,6 +141,7 @@ constexpr Kind kKinds[] = {
     {"torus", readRound<Torus>, true},
     {"frustum", readFrustum, true},
     {"hemisphere", readHemisphere, true},
+    {"quadric", readQuadric, true},
     {"disc", [](Numbers& in) -> Shape { return Disc(in.next()); }, true},
     {"rectangle", readRectangle, true},
     {"plane", [](Numbers&) -> Shape { return Plane(); }, true},

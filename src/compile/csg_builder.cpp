@@ -246,6 +246,7 @@ class Builder {
 
     static double leafThickness(const CsgLeaf& leaf) {
         if (std::holds_alternative<std::shared_ptr<const MeshShape>>(leaf.shape)) return kInfinity;
+        if (std::holds_alternative<Quadric>(leaf.shape)) return 0.0;
         const double scale = leaf.transform.similarityToObject();
         const Vec3 size = boundsOf(leaf.shape).extent();
         return scale > 0.0 ? std::min({size.x, size.y, size.z}) / scale : 0.0;

@@ -6,20 +6,6 @@
 namespace rt {
 namespace {
 
-/// Where u and v run on a face: an axis each, and whether against it.
-struct FaceTexture {
-    int uAxis;
-    bool uDown;
-    int vAxis;
-    bool vDown;
-};
-
-constexpr FaceTexture kFaces[6] = {
-    {2, false, 1, false}, {2, true, 1, false},  // -x +x
-    {0, false, 2, false}, {0, false, 2, true},  // -y +y
-    {0, true, 1, false},  {0, false, 1, false}  // -z +z
-};
-
 struct BoxShape {
     const Vec3& centre;
     const Vec3& lo;  ///< the corners relative to the centre
@@ -160,13 +146,7 @@ SurfacePoint Box::surface(const PrimitiveHit& hit, SurfaceDetail detail) const {
     // Each face is off by 2 roundings of the size, and the point's three coordinates as much.
     surface.error = gamma(4) * largestComponent(size) + placementError(surface.point);
     if (detail == SurfaceDetail::kShape) return surface;
-    const FaceTexture& face = kFaces[hit.part];
-    const auto fraction = [&](int i) { return clampToUnit((local[i] - lo_[i]) / size[i]); };
-    const double u = fraction(face.uAxis);
-    const double v = fraction(face.vAxis);
-    surface.uv = Vec2(face.uDown ? 1.0 - u : u, face.vDown ? 1.0 - v : v);
-    surface.dpdu[face.uAxis] = face.uDown ? -size[face.uAxis] : size[face.uAxis];
-    surface.dpdv[face.vAxis] = face.vDown ? -size[face.vAxis] : size[face.vAxis];
+    layOnBoxFace(surface, local, lo_, size, hit.part);
     return surface;
 }
 

@@ -61,6 +61,16 @@ Vec3 normalChange(const Frustum& frustum, const PrimitiveHit& hit, const Vec3& a
     return frustum.normalRadial() * aroundAxis(along, place.outwards, 1) / place.distance;
 }
 
+Vec3 normalChange(const Quadric& quadric, const PrimitiveHit& hit, const Vec3& along) {
+    if (hit.part != 0) return Vec3(0.0);
+    const Vec3 slope = quadric.centred().halfSlope(hit.local);
+    const double length = glm::length(slope);
+    const Vec3 normal = slope / length;
+    const Vec3 step = along - glm::dot(along, normal) * normal;
+    const Vec3 change = quadric.centred().times(step);
+    return (change - glm::dot(change, normal) * normal) / length;
+}
+
 Vec3 normalChange(const Torus& torus, const PrimitiveHit& hit, const Vec3& along) {
     const FromAxis place(hit.local, 2);
     const Vec3 normal = torus.surface(hit, SurfaceDetail::kShape).normal;

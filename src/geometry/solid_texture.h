@@ -51,4 +51,30 @@ inline void layOnCap(SurfacePoint& surface, double x, double z, double radius, d
     surface.dpdv = Vec3(0.0, 0.0, -up * side);
 }
 
+/// Where u and v run on a face: an axis each, and whether against it.
+struct FaceTexture {
+    int uAxis;
+    bool uDown;
+    int vAxis;
+    bool vDown;
+};
+
+inline constexpr FaceTexture kFaces[6] = {
+    {2, false, 1, false}, {2, true, 1, false},  // -x +x
+    {0, false, 2, false}, {0, false, 2, true},  // -y +y
+    {0, true, 1, false},  {0, false, 1, false}  // -z +z
+};
+
+/// A face of a box at a point of it, both relative to the same anchor: -x +x -y +y -z +z.
+inline void layOnBoxFace(SurfacePoint& surface, const Vec3& local, const Vec3& lo, const Vec3& size,
+                         Index part) {
+    const FaceTexture& face = kFaces[part];
+    const auto fraction = [&](int i) { return clampToUnit((local[i] - lo[i]) / size[i]); };
+    const double u = fraction(face.uAxis);
+    const double v = fraction(face.vAxis);
+    surface.uv = Vec2(face.uDown ? 1.0 - u : u, face.vDown ? 1.0 - v : v);
+    surface.dpdu[face.uAxis] = face.uDown ? -size[face.uAxis] : size[face.uAxis];
+    surface.dpdv[face.vAxis] = face.vDown ? -size[face.vAxis] : size[face.vAxis];
+}
+
 }  // namespace rt

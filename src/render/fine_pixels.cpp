@@ -224,6 +224,12 @@ void markSharpPoints(const RenderScene& scene, const Instance& instance, const T
     }
 }
 
+/// What is left of solids that were cut may be as narrow as it likes.
+bool isCut(const Shape& shape) {
+    return std::holds_alternative<std::shared_ptr<const CsgShape>>(shape) ||
+           std::holds_alternative<Quadric>(shape);
+}
+
 }  // namespace
 
 std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
@@ -240,8 +246,7 @@ std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
         }
         std::array<Vec2, 8> points;
         if (!project(scene.camera, instance, boundsOf(shape), points)) continue;
-        if (std::holds_alternative<std::shared_ptr<const CsgShape>>(shape)) {
-            // What is left of solids may be as narrow as it likes.
+        if (isCut(shape)) {
             mark(points, kEverywhere, area, fine);
             continue;
         }

@@ -93,8 +93,9 @@ struct Adder {
         addTangentPoints(rim, eye.x - apex.x, eye.z - apex.z, atEye, points);
     }
 
-    /// All of its pixels are fine.
+    // Of these all pixels are fine.
     void operator()(const std::shared_ptr<const CsgShape>&) const {}
+    void operator()(const Quadric&) const {}
 
     void operator()(const std::shared_ptr<const MeshShape>& shape) const {
         const std::vector<Vec3>& positions = shape->mesh.positions;

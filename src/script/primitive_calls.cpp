@@ -1,5 +1,9 @@
 #include "call_table.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace rt {
 
 namespace {
@@ -82,6 +86,41 @@ CallResult placedFrustum(Call& call) {
     const double top = call.number(4);
     if (base == top) return addPrimitive(call, Cylinder(call.tuple(1), height, base));
     return addPrimitive(call, Frustum(call.tuple(1), height, base, top));
+}
+
+/// The coefficients of a table by their names; what is not named is 0.
+QuadricCoefficients coefficientsOf(const Call& call, std::size_t i) {
+    QuadricCoefficients k;
+    const std::pair<const char*, double*> fields[] = {
+        {"xx", &k.xx}, {"yy", &k.yy}, {"zz", &k.zz}, {"xy", &k.xy}, {"yz", &k.yz},
+        {"zx", &k.zx}, {"x", &k.x},   {"y", &k.y},   {"z", &k.z},   {"c", &k.c}};
+    const Arguments& in = call.arguments();
+    std::vector<std::string> known;
+    for (const auto& field : fields) known.push_back(field.first);
+    for (const std::string& name : in.fieldNames(Call::slot(i), {"coefficients"})) {
+        const auto field = std::find_if(std::begin(fields), std::end(fields),
+                                        [&](const auto& one) { return name == one.first; });
+        if (field == std::end(fields)) {
+            call.scene.fail("unknown coefficient '" + printable(name, 64) + "'" +
+                            didYouMean(name, known) +
+                            " (known: xx, yy, zz, xy, yz, zx, x, y, z, c)");
+        }
+        in.field(Call::slot(i), name,
+                 [&](int value) { *field->second = in.number(value, {field->first}, Range{}); });
+    }
+    return k;
+}
+
+CallResult quadric(Call& call) {
+    const Vec3& min = call.tuple(2);
+    const Vec3& max = call.tuple(3);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (max[axis] > min[axis]) continue;
+        const std::string part = "[" + std::to_string(axis + 1) + "]";
+        call.scene.fail("max" + part + " must be > min" + part + ", " + numberText(min[axis]) +
+                        " (got " + numberText(max[axis]) + ")");
+    }
+    return addPrimitive(call, Quadric(coefficientsOf(call, 1), min, max));
 }
 
 /// What is flat lies in y = 0, and is brought to its place by the node's own transform.
@@ -229,6 +268,21 @@ std::vector<CallRow> primitiveCalls() {
                        length("h", "Its height."), length("r0", "Its radius at the lower cap."),
                        length("r1", "Its radius at the upper cap.")},
                       placedFrustum}}});
+    rows.push_back(
+        {"quadric",
+         "What lies in a box where xx x^2 + yy y^2 + zz z^2 + xy x y + yz y z + zx z x + x x + y y "
+         "+ z z + c <= 0; the box's faces close it.",
+         {{{kName,
+            {"coefficients",
+             Kind::kTable,
+             "{xx=, yy=, zz=, xy=, yz=, zx=, x=, y=, z=, c=}; what is left out is 0.",
+             {},
+             false,
+             {},
+             "table<string, number>"},
+            point("min", "The box's corner of the least x, y and z."),
+            point("max", "Its corner of the largest.")},
+           quadric}}});
     for (CallRow& row : placedSheets()) rows.push_back(std::move(row));
     for (CallRow& row : rows) row.returns = "gr.node";
     return rows;

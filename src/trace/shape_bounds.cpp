@@ -67,6 +67,7 @@ double thicknessOf(const RenderScene& scene, const Instance& instance) {
     if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape)) {
         return std::max((*csg)->thickness, kThinnest) / instance.objectScale;
     }
+    if (std::holds_alternative<Quadric>(shape)) return kThinnest;
     const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
     return std::max(std::min({size.x, size.y, size.z}), kThinnest) / instance.objectScale;
 }

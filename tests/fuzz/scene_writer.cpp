@@ -54,7 +54,18 @@ std::string SceneWriter::combined() {
 }
 
 std::string SceneWriter::node() {
-    switch (below(21)) {
+    switch (below(22)) {
+        case 21: {
+            static constexpr const char* kTerms[] = {"xx", "yy", "zz", "xy", "yz",
+                                                     "zx", "x",  "y",  "z",  "c"};
+            std::string terms;
+            const std::size_t count = 1 + below(6);
+            for (std::size_t i = 0; i < count; ++i) {
+                terms += oneOf(kTerms) + " = " + number(-2, 2) + ", ";
+            }
+            const std::string low = vector(-3, 0);
+            return "gr.quadric, 's', {" + terms + "}, " + low + ", " + vector(0, 3);
+        }
         case 19:
         case 20:
             return combined();

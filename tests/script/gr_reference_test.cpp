@@ -55,6 +55,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"plane", "gr.plane('a')"},
         {"nh_hemisphere", "gr.nh_hemisphere('a', {0, 0, 0}, 1)"},
         {"nh_frustum", "gr.nh_frustum('a', {0, 0, 0}, 1, 1, 2)"},
+        {"quadric", "gr.quadric('a', {xx = 1, zz = 1, y = -1}, {-1, 0, -1}, {1, 2, 1})"},
         {"nh_disc", "gr.nh_disc('a', {0, 0, 0}, {0, 1, 0}, 1)"},
         {"nh_quad", "gr.nh_quad('a', {0, 0, 0}, {1, 0, 0}, {0, 1, 0})"},
         {"nh_plane", "gr.nh_plane('a', {0, 0, 0}, {0, 1, 0})"},

@@ -52,6 +52,9 @@ class RandomScene:
                                                           self.rng.choice(("true", "false", "30")))
         if self.rng.random() < 0.12:
             return self.combined()
+        if self.rng.random() < 0.1:
+            terms = ", ".join("%s = %s" % (term, number(self.rng.uniform(-2, 2))) for term in "xx yy zz xy yz zx x y z c".split())
+            return "gr.quadric('q', {%s}, {-1, -0.8, -0.9}, {0.8, 1, 1.1})" % terms
         if self.rng.random() < 0.2:
             radii = [number(self.rng.uniform(0.1, 1.2)) for _ in range(2)]
             return self.rng.choice(["gr.disc('d')", "gr.quad('q')", "gr.hemisphere('h')",

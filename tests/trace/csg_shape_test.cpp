@@ -72,7 +72,20 @@ double inBox(const Vec3& p, const Vec3& lo, const Vec3& hi) {
 }
 
 Solid leaf(Draws& draws) {
-    switch (draws.below(8)) {
+    switch (draws.below(9)) {
+        case 7: {
+            // A hyperboloid of one sheet or of two, cut by a box.
+            const double c = draws.uniform(-0.3, 0.3);
+            const double yy = draws.uniform(-1.5, -0.3);
+            const Vec3 hi = glm::abs(draws.vector(0.5)) + 0.6;
+            return {
+                "gr.quadric('q', {xx = 1, yy = " + text(yy) + ", zz = 1, xy = 0.3, c = " + text(c) +
+                    "}, {-0.8, -0.7, -0.9}, " + text(hi) + ")",
+                [=](const Vec3& p) {
+                    const double q = p.x * p.x + yy * p.y * p.y + p.z * p.z + 0.3 * p.x * p.y + c;
+                    return std::min(-q, inBox(p, Vec3(-0.8, -0.7, -0.9), hi));
+                }};
+        }
         case 0: {
             const Vec3 c = draws.vector(1.0);
             const double r = draws.uniform(0.3, 1.5);

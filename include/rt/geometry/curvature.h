@@ -9,6 +9,7 @@
 //     hemisphere  as the sphere, and as what is flat
 //     torus       dn = dp_m / r + n_rho dp_t / rho, dp_m the part along the tube's circle (-dp_m on
 //                 the lemon, whose normal points to the centre)
+//     quadric     dn = (A dp - (n . A dp) n) / |A p + b|, n along A p + b
 //     triangle    n = s / |s|, s = sum of b_k n_k: dn = (ds - (n . ds) n) / |s|, with the db of dp
 //
 // Igehy, Tracing Ray Differentials, SIGGRAPH 1999, section 3.2.
@@ -22,6 +23,7 @@
 #include "rt/geometry/hemisphere.h"
 #include "rt/geometry/hit.h"
 #include "rt/geometry/plane.h"
+#include "rt/geometry/quadric.h"
 #include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
@@ -33,6 +35,7 @@ Vec3 normalChange(const Sphere& sphere, const PrimitiveHit& hit, const Vec3& alo
 Vec3 normalChange(const Box& box, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Cylinder& cylinder, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Cone& cone, const PrimitiveHit& hit, const Vec3& along);
+Vec3 normalChange(const Quadric& quadric, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Hemisphere& hemisphere, const PrimitiveHit& hit, const Vec3& along);
 Vec3 normalChange(const Frustum& frustum, const PrimitiveHit& hit, const Vec3& along);
 inline Vec3 normalChange(const Disc&, const PrimitiveHit&, const Vec3&) {

@@ -13,6 +13,7 @@
 #include "rt/geometry/frustum.h"
 #include "rt/geometry/hemisphere.h"
 #include "rt/geometry/plane.h"
+#include "rt/geometry/quadric.h"
 #include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
@@ -88,8 +89,9 @@ struct CsgDesc {
     Index node = kNone;  ///< whose operands they are
 };
 
-using GeometryShape = std::variant<Sphere, Box, Cylinder, Cone, Torus, Disc, Rectangle, Plane,
-                                   Hemisphere, Frustum, MeshFileDesc, MeshTableDesc, CsgDesc>;
+using GeometryShape =
+    std::variant<Sphere, Box, Cylinder, Cone, Torus, Disc, Rectangle, Plane, Hemisphere, Frustum,
+                 Quadric, MeshFileDesc, MeshTableDesc, CsgDesc>;
 
 struct GeometryDesc {
     GeometryShape shape;

@@ -9,6 +9,7 @@
 #include "rt/geometry/frustum.h"
 #include "rt/geometry/hemisphere.h"
 #include "rt/geometry/plane.h"
+#include "rt/geometry/quadric.h"
 #include "rt/geometry/rectangle.h"
 #include "rt/geometry/sphere.h"
 #include "rt/geometry/torus.h"
@@ -30,7 +31,7 @@ struct CsgShape;
 
 using Shape =
     std::variant<Sphere, Box, Cylinder, Cone, Torus, std::shared_ptr<const MeshShape>, Disc,
-                 Rectangle, Plane, Hemisphere, Frustum, std::shared_ptr<const CsgShape>>;
+                 Rectangle, Plane, Hemisphere, Frustum, std::shared_ptr<const CsgShape>, Quadric>;
 
 /// In the shape's own space.
 Bounds boundsOf(const Shape& shape);
