@@ -100,6 +100,11 @@ double LightTree::importance(const Node& node, const Vec3& from, const Vec3& geo
     return falloff > 0.0 ? node.power * facing / falloff : node.power * facing;
 }
 
+/// Nodes wider than this share of their distance are looked into before anything is chosen.
+constexpr double kWide = 0.25;
+/// The most that are kept apart.
+constexpr int kMostApart = 512;
+
 /// The choices on their way down: [begin, end) of them have come to a node, to which the part
 /// [low, low + width) of the unit interval leads.
 struct LightTree::Descent {
@@ -110,6 +115,46 @@ struct LightTree::Descent {
     int count;
     double shift;
     Choice choice{};
+
+    /// Nodes that are small beside their distance, or lights, in the tree's order, with their
+    /// importance.
+    struct Part {
+        Index node;
+        double importance;
+    };
+    std::array<Part, kMostApart> parts;
+    int partCount = 0;
+    double total = 0.0;
+
+    void lookInto(Index index, int pending) {
+        const double found = of(index);
+        if (!(found > 0.0)) return;
+        const Node& node = tree.nodes_[index];
+        const double distance = glm::length(node.centre - from);
+        if (node.light != kNone || node.radius <= kWide * distance ||
+            partCount + pending + 2 > kMostApart) {
+            parts[static_cast<std::size_t>(partCount++)] = {index, found};
+            total += found;
+            return;
+        }
+        lookInto(index + 1, pending + 1);
+        lookInto(node.right, pending);
+    }
+
+    void run() {
+        lookInto(0, 0);
+        double low = 0.0;
+        int begin = 0;
+        for (int k = 0; k < partCount; ++k) {
+            const Part& part = parts[static_cast<std::size_t>(k)];
+            const double width = part.importance / total;
+            int end = k + 1 < partCount ? begin : count;
+            while (end < count && place(end) < low + width) ++end;
+            to(part.node, begin, end, low, width);
+            begin = end;
+            low += width;
+        }
+    }
 
     double place(int i) const { return (i + shift) / count; }
 
@@ -148,7 +193,7 @@ struct LightTree::Descent {
 LightTree::Choice LightTree::choose(const Vec3& from, const Vec3& geometricNormal,
                                     const Vec3& normal, int count, double shift) const {
     Descent descent{*this, from, geometricNormal, normal, count, shift};
-    if (!isEmpty()) descent.to(0, 0, count, 0.0, 1.0);
+    if (!isEmpty()) descent.run();
     return descent.choice;
 }
 
