@@ -1,5 +1,6 @@
 #include "rt/compile/asset_cache.h"
 
+#include "height_field.h"
 #include "rt/compile/mesh_file.h"
 #include "rt/image/image.h"
 
@@ -57,6 +58,21 @@ std::shared_ptr<const MeshShape> AssetCache::mesh(const MeshTableDesc& table, In
     return remembered(tables_, {key, angle}, [&] {
         return withTree(meshFromPolygons(table.vertices, table.corners, table.faceSizes,
                                          optionsFor(angle), where, diagnostics));
+    });
+}
+
+std::shared_ptr<const MeshShape> AssetCache::heightField(const HeightFieldDesc& field,
+                                                         const ImageDesc* image, Index key,
+                                                         std::uint64_t maxPixels,
+                                                         const SourceLocation& where,
+                                                         Diagnostics& diagnostics) {
+    return remembered(tables_, {key, 0.0}, [&] {
+        const HeightFieldOptions options{field.base, field.smooth};
+        if (!image) return withTree(heightFieldMesh(field.grid, options, where));
+        ImageLimits limits;
+        limits.maxPixels = maxPixels;
+        const HeightGrid grid = gridOf(loadImage(image->path, limits, diagnostics));
+        return withTree(heightFieldMesh(grid, options, where));
     });
 }
 

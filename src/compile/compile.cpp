@@ -166,6 +166,12 @@ class Compiler {
             mesh = loaded(desc.where, [&] { return assets_.mesh(*file, angle, diagnostics_); });
         } else if (const auto* table = std::get_if<MeshTableDesc>(&desc.shape)) {
             mesh = assets_.mesh(*table, geometry, angle, desc.where, diagnostics_);
+        } else if (const auto* field = std::get_if<HeightFieldDesc>(&desc.shape)) {
+            const ImageDesc* image = field->image == kNone ? nullptr : &scene_.images[field->image];
+            mesh = loaded(desc.where, [&] {
+                return assets_.heightField(*field, image, geometry, settings_.maxPixels, desc.where,
+                                           diagnostics_);
+            });
         } else if (const auto* csg = std::get_if<CsgDesc>(&desc.shape)) {
             return makeCsg(*csg, geometry);
         } else {

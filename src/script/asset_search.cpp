@@ -16,7 +16,17 @@ const std::vector<const char*>& roleFolders(AssetRole role) {
     static const std::vector<const char*> meshes{"Model", "Meshes"};
     static const std::vector<const char*> textures{"Texture"};
     static const std::vector<const char*> bumps{"Bump"};
-    return role == AssetRole::kMesh ? meshes : role == AssetRole::kTexture ? textures : bumps;
+    static const std::vector<const char*> heights{"Bump", "Texture"};
+    switch (role) {
+        case AssetRole::kMesh:
+            return meshes;
+        case AssetRole::kTexture:
+            return textures;
+        case AssetRole::kBump:
+            return bumps;
+        default:
+            return heights;
+    }
 }
 
 fs::path resolved(const fs::path& path) {

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-enum class AssetRole { kMesh, kTexture, kBump };
+enum class AssetRole { kMesh, kTexture, kBump, kHeights };
 
 /// Looks for assets as given from the current folder, the scene's folder and its parent; then, in
 /// each of the three, in the folders of the role (also below Assets/), then in Assets/.

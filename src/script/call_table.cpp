@@ -108,15 +108,11 @@ void requireNode(const CallRow& row, const Arguments& arguments, SceneBuilder& b
 
 const std::vector<CallGroup>& callGroups() {
     static const std::vector<CallGroup> groups = {
-        {"Nodes", nodeCalls},
-        {"Primitives", primitiveCalls},
-        {"Meshes", meshCalls},
-        {"Combined solids", csgCalls},
-        {"Appearance", appearanceCalls},
-        {"Patterns", patternCalls},
-        {"Lights and lens", lightCalls},
-        {"Images", renderCalls},
-        {"Options", optionCalls},
+        {"Nodes", nodeCalls},           {"Primitives", primitiveCalls},
+        {"Meshes", meshCalls},          {"Height fields", heightFieldCalls},
+        {"Combined solids", csgCalls},  {"Appearance", appearanceCalls},
+        {"Patterns", patternCalls},     {"Lights and lens", lightCalls},
+        {"Images", renderCalls},        {"Options", optionCalls},
         {"Parameters", parameterCalls},
     };
     return groups;

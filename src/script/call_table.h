@@ -141,6 +141,7 @@ Vec3 unitArgument(Call& call, std::size_t i, const char* name);
 // The rows by concept; callTable is all of them.
 std::vector<CallRow> primitiveCalls();
 std::vector<CallRow> meshCalls();
+std::vector<CallRow> heightFieldCalls();
 std::vector<CallRow> csgCalls();
 std::vector<CallRow> nodeCalls();
 std::vector<CallRow> appearanceCalls();

@@ -102,6 +102,34 @@ TEST_CASE("a box less a box is the smaller box, matt and of glass") {
         "put(" + kSmallBox + ", red)");
 }
 
+TEST_CASE("a flat height field with a base is a box, alone, of glass and combined") {
+    const std::string field =
+        "(function() local rows = {} for j = 1, 9 do rows[j] = {} for i = 1, 5 do rows[j][i] = "
+        "0.75 "
+        "end end local h = gr.height_field('h', rows, {base = 0}) h:scale(2, 1, 2) "
+        "h:translate(-1, 0, -1) return h end)()";
+    const std::string box = "gr.nh_box('b', {-1, 0, -1}, {2, 0.75, 2})";
+    const std::string ball = ", gr.nh_sphere('s', {0.1, 0.6, 0.2}, 0.9))";
+    checkAlike("put(" + field + ", red)", "put(" + box + ", red)");
+    checkAlike(glass(field), glass(box));
+    for (const std::string call :
+         {"gr.union('u', ", "gr.intersection('i', ", "gr.difference('d', "}) {
+        checkAlike("put(" + call + field + ball + ", red)", "put(" + call + box + ball + ", red)");
+        checkAlike(glass(call + field + ball), glass(call + box + ball));
+    }
+}
+
+TEST_CASE("the thickness of a wedge of glass by a height field is that of its heights") {
+    for (const double x : {0.1, 0.35, 0.5, 0.8}) {
+        CAPTURE(x);
+        const std::string wedge =
+            "it = gr.height_field('h', function(x, z) return x end, {base = -0.5, resolution = "
+            "5})\n"
+            "it:rotate('x', 90) it:translate(0, 0.5, 0)";
+        CHECK(std::fabs(leftBehind(wedge, x) - std::exp(-0.7 * (x + 0.5))) < 1e-12);
+    }
+}
+
 TEST_CASE("De Morgan's laws hold to the bit") {
     for (const std::string material : {"red", "nil"}) {
         const std::string paint =
@@ -221,6 +249,8 @@ TEST_CASE("pictures of combined solids keep their error") {
         kThree + "put(gr.difference('d', a, b, c), red)",
         "put(gr.difference('moon', gr.nh_sphere('a', {-0.2,0,0}, 1.2), "
         "gr.nh_sphere('b', {0.2,0.1,0.5}, 1.25)), red)",
+        "put(gr.quadric('q', {y = 1, xx = -0.8, zz = 0.8, c = -0.3}, {-1, -1, -1}, {1, 1, 1}), "
+        "red)",
         "it = put(gr.intersection('i', gr.nh_box('a', {-1,-1,-1}, 2), gr.nh_sphere('b', {0,0,0}, "
         "1.3)), red) it:set_reflection(0.5)",
     };

@@ -1,7 +1,7 @@
 """F: OBJ files."""
 import os
 
-from harness import BALL, Case, ROOT, SHOT, meshed, shot
+from harness import BALL, Case, ROOT, SHOT, meshed, png, shot
 from loading import fifo, grown, link
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -59,6 +59,16 @@ CASES = [
     good("F14", "mtllib and usemtl", "mtllib none.mtl\nusemtl gold\n" + TRIANGLE + "f 1 2 3\n", "warning: "),
     bad("F15", "5 GB, sparse", lambda path: grown(path, 5 << 30), [r"m\.obj", "GiB"], code={1, 4}, seconds=10),
     bad("F15", "5 GB that begin as an OBJ", lambda path: sparse(path, 5 << 30), [r"m\.obj", "GiB"], code=4, seconds=10),
+    Case("F15", "a height field of 25 million heights", shot("root:add_child(gr.height_field('h', 't.png'), white)"), code=4,
+         says=r"scene\.lua:2: error: gr\.height_field: 5000x5000 heights; 16777216 are the most", files={"t.png": png(5000, 5000, 8, 0)}, seconds=20),
+    Case("F15", "a height field by a function, of more memory than a script may use",
+         shot("root:add_child(gr.height_field('h', function() return 0 end, {resolution = 4096}), white)"), code=4, says="script-memory",
+         args=("scene.lua", "-q", "--script-memory", "64M")),
+    Case("F1", "heights from a missing image", shot("root:add_child(gr.height_field('h', 'nothing.png'), white)"), code=1, says="nothing.png", also=missing),
+    Case("F18", "heights that are all alike", shot("root:add_child(gr.height_field('h', {{0, 0}, {0, 0}}), white) "
+         "root:add_child(gr.height_field('g', {{0, 0}, {0, 0}}, {base = -1}), white)"), writes="x.png", never="warning"),
+    Case("F18", "a base within the heights", shot("root:add_child(gr.height_field('h', {{0, 1}, {1, 1}}, {base = 0.5}), white)"), code=1,
+         says=r"scene\.lua:2: error: gr\.height_field: base must lie below all heights, of which the lowest is 0 \(got 0\.5\)"),
     good("F16", "mtllib upwards", "mtllib ../../etc/passwd\n" + TRIANGLE + "f 1 2 3\n", "warning: ", ),
     Case("F16", "a mesh upwards", shot("root:add_child(gr.mesh('m', '../../../../../../etc/passwd.obj'), white)"), code=1, says="error: ", never="root:"),
     Case("F16", "a texture that is /etc/shadow", shot("root:add_child(gr.sphere('s'), nil, gr.texture('/etc/shadow', {0,0,0}, 0))"), code=1, says="error: "),

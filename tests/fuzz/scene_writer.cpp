@@ -54,7 +54,17 @@ std::string SceneWriter::combined() {
 }
 
 std::string SceneWriter::node() {
-    switch (below(22)) {
+    switch (below(23)) {
+        case 22: {
+            std::string rows;
+            const std::size_t columns = 2 + below(3);
+            for (std::size_t j = 0; j < 2 + below(2); ++j) {
+                rows += "{";
+                for (std::size_t i = 0; i < columns; ++i) rows += number(0, 1) + ", ";
+                rows += "}, ";
+            }
+            return "gr.height_field, 's', {" + rows + "}, {base = " + number(-1, 0) + "}";
+        }
         case 21: {
             static constexpr const char* kTerms[] = {"xx", "yy", "zz", "xy", "yz",
                                                      "zx", "x",  "y",  "z",  "c"};

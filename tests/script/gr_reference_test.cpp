@@ -64,6 +64,7 @@ const std::map<std::string, std::string>& sampleCalls() {
         {"nh_cylinder", "gr.nh_cylinder('a', {0, 0, 0}, 1, 1)"},
         {"nh_cone", "gr.nh_cone('a', {0, 0, 0}, 1, 1)"},
         {"nh_torus", "gr.nh_torus('a', {0, 0, 0}, 1, 0.2)"},
+        {"height_field", "gr.height_field('a', {{0, 1}, {1, 0}})"},
         {"union", "gr.union('a', gr.sphere('b'), gr.cube('c'))"},
         {"intersection", "gr.intersection('a', gr.sphere('b'), gr.cube('c'), gr.cone('d'))"},
         {"difference", "gr.difference('a', gr.sphere('b'), gr.cube('c'))"},

@@ -52,6 +52,9 @@ class RandomScene:
                                                           self.rng.choice(("true", "false", "30")))
         if self.rng.random() < 0.12:
             return self.combined()
+        if self.rng.random() < 0.08:
+            return "gr.height_field('h', function(x, z) return 0.3 * math.sin(%s * x) * math.cos(%s * z) end, {resolution = 17, %s})" % (
+                number(self.rng.uniform(1, 9)), number(self.rng.uniform(1, 9)), self.rng.choice(("base = -0.5", "smooth = false")))
         if self.rng.random() < 0.1:
             terms = ", ".join("%s = %s" % (term, number(self.rng.uniform(-2, 2))) for term in "xx yy zz xy yz zx x y z c".split())
             return "gr.quadric('q', {%s}, {-1, -0.8, -0.9}, {0.8, 1, 1.1})" % terms

@@ -26,6 +26,12 @@ class AssetCache {
     std::shared_ptr<const MeshShape> mesh(const MeshTableDesc& table, Index key,
                                           double smoothAngleDegrees, const SourceLocation& where,
                                           Diagnostics& diagnostics);
+    /// `image` is the file of its heights, where they come from one.
+    std::shared_ptr<const MeshShape> heightField(const HeightFieldDesc& field,
+                                                 const ImageDesc* image, Index key,
+                                                 std::uint64_t maxPixels,
+                                                 const SourceLocation& where,
+                                                 Diagnostics& diagnostics);
     std::shared_ptr<const Texture> image(const ImageDesc& image, const TextureSettings& settings,
                                          std::uint64_t maxPixels, Diagnostics& diagnostics);
 

@@ -80,6 +80,21 @@ struct MeshTableDesc {
     std::optional<double> smoothAngle;
 };
 
+/// Heights over a square, row by row.
+struct HeightGrid {
+    std::size_t columns = 0;  ///< along x
+    std::size_t rows = 0;     ///< along z
+    std::vector<double> heights;
+};
+
+/// Heights from an image, or else from the script.
+struct HeightFieldDesc {
+    Index image = kNone;
+    HeightGrid grid;
+    std::optional<double> base;  ///< of the solid below them; none = a sheet
+    bool smooth = true;
+};
+
 enum class CsgOperation { kUnion, kIntersection, kDifference };
 
 /// The solid that the operands of a node make: all of them, what they have in common, or the first
@@ -91,7 +106,7 @@ struct CsgDesc {
 
 using GeometryShape =
     std::variant<Sphere, Box, Cylinder, Cone, Torus, Disc, Rectangle, Plane, Hemisphere, Frustum,
-                 Quadric, MeshFileDesc, MeshTableDesc, CsgDesc>;
+                 Quadric, MeshFileDesc, MeshTableDesc, HeightFieldDesc, CsgDesc>;
 
 struct GeometryDesc {
     GeometryShape shape;
