@@ -101,7 +101,7 @@ double LightTree::importance(const Node& node, const Vec3& from, const Vec3& geo
 }
 
 /// Nodes wider than this share of their distance are looked into before anything is chosen.
-constexpr double kWide = 0.25;
+constexpr double kWide = 0.4;
 /// The most that are kept apart.
 constexpr int kMostApart = 512;
 
@@ -122,7 +122,7 @@ struct LightTree::Descent {
         Index node;
         double importance;
     };
-    std::array<Part, kMostApart> parts;
+    std::array<Part, kMostApart> parts{};
     int partCount = 0;
     double total = 0.0;
 
