@@ -22,6 +22,8 @@ corpus=${3:-build/fuzz-corpus/$target}
 program=build/fuzz-sanitize/fuzz_$target
 [ -x "$program" ] || build "fuzz_$target"
 mkdir -p "$corpus"
+# Inputs go through files: in memory they go through a hundred times as fast.
+[ ! -w /dev/shm ] || export TMPDIR="${TMPDIR:-/dev/shm}"
 dictionary=""
 [ ! -f "tests/fuzz/$target.dict" ] || dictionary="-dict=tests/fuzz/$target.dict"
 # shellcheck disable=SC2086 # no option where there is no dictionary
