@@ -144,8 +144,13 @@ void Progress::finish(const RenderSummary& summary) {
                                             : std::string("Render Complete!");
     const std::string error =
         summary.error ? ", estimated error " + errorText(*summary.error) : std::string();
+    const std::string photons = summary.photons
+                                    ? " (photons: noise " + errorText(summary.photons->noise) +
+                                          ", bias " + errorText(summary.photons->bias) + ")"
+                                    : std::string();
     const std::string name = summary.output == "-" ? "standard output" : printable(summary.output);
-    output_.write(done + " " + name + " in " + durationText(summary.seconds) + error + "\n");
+    output_.write(done + " " + name + " in " + durationText(summary.seconds) + error + photons +
+                  "\n");
 }
 
 void Progress::abandon() {

@@ -35,6 +35,14 @@ Json passesJson(const std::vector<PassRecord>& passes) {
     return all;
 }
 
+Json causticsJson(const std::optional<CausticReport>& caustics) {
+    if (!caustics) return {};
+    return {{"noise", caustics->noise},           {"bias", caustics->bias},
+            {"photons_sent", caustics->sent},     {"photons_kept", caustics->kept},
+            {"passes", caustics->passes},         {"first_radius", caustics->firstRadius},
+            {"last_radius", caustics->lastRadius}};
+}
+
 Json renderJson(const RenderStats& stats) {
     const Json rays = {{"camera", stats.rays.camera},
                        {"shadow", stats.rays.shadow},
@@ -53,6 +61,7 @@ Json renderJson(const RenderStats& stats) {
         {"error_estimate", orNull(stats.errorEstimate)},
         {"error_target", orNull(stats.errorTarget)},
         {"converged", stats.converged},
+        {"caustics", causticsJson(stats.caustics)},
         {"triangles", stats.triangles},
         {"primitives", stats.primitives},
         {"instances", stats.instances},

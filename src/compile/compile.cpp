@@ -3,6 +3,7 @@
 #include "csg_builder.h"
 #include "flatten.h"
 #include "motion_bounds.h"
+#include "photon_lights.h"
 #include "radiance_bound.h"
 #include "rt/core/error.h"
 #include "rt/trace/moment_pool.h"
@@ -81,7 +82,9 @@ class Compiler {
         buildTree();
         addLightsAndSky();
         placeCamera();
+        if (settings_.caustics) sendByPhotons(out_, render_.where, diagnostics_);
         out_.radianceBound = radianceBound(out_);
+        out_.localBound = localBound(out_);
         return std::move(out_);
     }
 

@@ -38,6 +38,21 @@ double brightestDiffuse(const Look& look) {
     return brightest(look.material.diffuse);
 }
 
+/// The largest diffuse and specular parts of all looks.
+struct Brightest {
+    double diffuse = 0.0;
+    double specular = 0.0;
+};
+
+Brightest brightestLook(const RenderScene& scene) {
+    Brightest all;
+    for (const Look& look : scene.looks) {
+        all.diffuse = std::max(all.diffuse, brightestDiffuse(look));
+        all.specular = std::max(all.specular, brightest(look.material.specular));
+    }
+    return all;
+}
+
 /// The greatest irradiance that a light gives on anything, its weight included.
 double lightBound(const Light& light, const RenderScene& scene) {
     // What has no bounds may be anywhere.
@@ -53,19 +68,19 @@ double lightBound(const Light& light, const RenderScene& scene) {
 
 }  // namespace
 
+double localBound(const RenderScene& scene) {
+    const Brightest look = brightestLook(scene);
+    return look.diffuse + look.specular;
+}
+
 double radianceBound(const RenderScene& scene) {
     double sky = std::max(brightest(scene.background.bottom), brightest(scene.background.top));
     if (scene.background.image) sky = scene.background.image->largestValue();
-    double diffuse = 0.0;
-    double specular = 0.0;
-    for (const Look& look : scene.looks) {
-        diffuse = std::max(diffuse, brightestDiffuse(look));
-        specular = std::max(specular, brightest(look.material.specular));
-    }
-    double own = diffuse * brightest(scene.ambient);
+    const Brightest look = brightestLook(scene);
+    double own = look.diffuse * brightest(scene.ambient);
     for (const Light& light : scene.lights) {
         const double bright = lightBound(light, scene);
-        const double local = diffuse * std::max(1.0, light.brightness) + specular;
+        const double local = look.diffuse * std::max(1.0, light.brightness) + look.specular;
         if (local > 0.0) own += bright * local;
     }
     const double largest = std::max(own, sky);

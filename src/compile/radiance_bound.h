@@ -13,4 +13,7 @@ namespace rt {
 /// with d at least the light's radius and its distance from all objects; without the 2 for points.
 double radianceBound(const RenderScene& scene);
 
+/// The largest share of irradiance that a surface shows, in any channel.
+double localBound(const RenderScene& scene);
+
 }  // namespace rt

@@ -48,6 +48,11 @@ std::uint32_t textureSharesFor(double error) {
     return std::bit_ceil(static_cast<std::uint32_t>(shares));
 }
 
+/// Share of an error target, or of the default one, that photons may leave: half of its square, and
+/// of the slow truth a sixteenth.
+constexpr double kCausticShare = 0x1.6a09e667f3bcdp-1;
+constexpr double kTrueCausticShare = 0.25;
+
 TraceSettings traceSettings(const RenderOptions& options) {
     TraceSettings settings;
     settings.maxDepth = options.maxDepth.value_or(settings.maxDepth);
@@ -71,6 +76,8 @@ SamplingGoal samplingGoal(const RenderOptions& options) {
     goal.trace = traceSettings(options);
     goal.adaptive = !options.reference.value_or(false);
     goal.timeLimit = options.time.value_or(0.0);
+    goal.causticTarget =
+        (goal.adaptive ? kCausticShare : kTrueCausticShare) * options.error.value_or(kDefaultError);
     const bool fixed = needsKnownNumber(goal.trace.sampler);
     if (options.error && fixed) {
         throw UsageError("--error needs --sampler joint or random: the points of " +

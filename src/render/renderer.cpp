@@ -1,5 +1,6 @@
 #include "rt/render/renderer.h"
 
+#include "caustics.h"
 #include "rt/core/cpu_time.h"
 #include "rt/render/adaptive.h"
 #include "rt/render/coarse_lattice.h"
@@ -8,6 +9,7 @@
 #include "run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -62,12 +64,37 @@ constexpr double kBiasLimit = 4.0;
 /// The same of a cell of the coarse lattice, above which the corners within it are looked through.
 constexpr double kCoarseBias = 0.25;
 
+/// The least share of the squared target that is left to samples.
+constexpr double kLeastShare = 0.25;
+
+/// Light as wide as a photon's kernel must not slip through between a pixel's first samples.
+std::uint32_t firstSamplesFor(const CausticReport& caustics) {
+    constexpr double kWideEnough = 0.5;
+    std::uint32_t samples = AdaptiveGoal{}.firstSamples;
+    for (double r = caustics.lastRadiusInPixels; r < kWideEnough && samples < 64; r *= 2.0) {
+        samples *= 4;
+    }
+    return samples;
+}
+
+/// What photons are off by may be anywhere.
+std::vector<double> withCaustics(std::vector<double> squaredErrors, double causticError) {
+    for (double& error : squaredErrors) error += causticError;
+    return squaredErrors;
+}
+
 /// Towards an error target: probes at the corners of pixels, samples where those do not do, and
 /// passes that double where that helps most, until the estimate meets the target.
 class TowardsTarget {
   public:
-    TowardsTarget(const RenderScene& scene, Run& run, const RenderJob& job, Film& film)
-        : run_(run), job_(job), film_(film), lattice_(latticeFor(scene, job)) {
+    TowardsTarget(const RenderScene& scene, Run& run, const RenderJob& job, Film& film,
+                  const CausticReport& caustics)
+        : run_(run),
+          job_(job),
+          film_(film),
+          causticError_(caustics.squaredError()),
+          firstSamples_(firstSamplesFor(caustics)),
+          lattice_(latticeFor(scene, job)) {
         if (lattice_) fine_ = finePixels(scene, job.area);
         adaptive_.emplace(film_, lattice_ ? &*lattice_ : nullptr, fine_);
         run_.showAs([this] { return adaptive_->snapshot(); });
@@ -76,7 +103,7 @@ class TowardsTarget {
     bool render() {
         AdaptiveGoal goal;
         goal.maxSamples = static_cast<std::uint32_t>(job_.settings.spp);
-        goal.firstSamples = std::min(goal.firstSamples, goal.maxSamples);
+        goal.firstSamples = std::min(firstSamples_, goal.maxSamples);
         double share = 0.0;
         if (lattice_) {
             share = 0.2;
@@ -92,9 +119,11 @@ class TowardsTarget {
             passes_.push_back({run_.counts().rays.camera, errorEstimate(), run_.seconds()});
             if (job_.onEstimate && adaptive_->knowsError()) job_.onEstimate(*errorEstimate());
             const double allowed = std::max(job_.errorTarget - run_.cutError(), 0.0);
-            goal.squaredTarget = allowed * allowed;
-            reached = adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
-            if (reached) break;
+            const double left = allowed * allowed - causticError_;
+            reached = adaptive_->knowsError() && adaptive_->squaredError() <= left;
+            // Of what photons alone exceed, samples still keep their part.
+            goal.squaredTarget = std::max(left, kLeastShare * allowed * allowed);
+            if (reached || isAsGoodAsItGets(goal)) break;
             audit(goal.squaredTarget);
             const AdaptivePass pass =
                 job_.adaptive ? adaptive_->next(goal) : adaptive_->doubled(goal.maxSamples);
@@ -111,17 +140,21 @@ class TowardsTarget {
     /// Nothing where too little was gathered to tell.
     std::optional<double> errorEstimate() const {
         if (!adaptive_->knowsError()) return std::nullopt;
-        return std::sqrt(adaptive_->squaredError()) + run_.cutError();
+        return std::sqrt(adaptive_->squaredError() + causticError_) + run_.cutError();
     }
 
     const std::vector<PassRecord>& passes() const { return passes_; }
 
     std::vector<double> pixelErrors() const {
         if (!adaptive_->knowsError()) return {};
-        return adaptive_->squaredErrors();
+        return withCaustics(adaptive_->squaredErrors(), causticError_);
     }
 
   private:
+    bool isAsGoodAsItGets(const AdaptiveGoal& goal) const {
+        return adaptive_->knowsError() && adaptive_->squaredError() <= goal.squaredTarget;
+    }
+
     /// Every other corner, and those between which these leave open.
     ToldPixels probeAll(double share) {
         CoarseLattice coarse(job_.area);
@@ -150,6 +183,8 @@ class TowardsTarget {
     Run& run_;
     const RenderJob& job_;
     Film& film_;
+    double causticError_;  ///< squared, that all pixels have by photons
+    std::uint32_t firstSamples_;
     std::optional<Lattice> lattice_;
     std::vector<bool> fine_;
     std::optional<Adaptive> adaptive_;
@@ -179,13 +214,15 @@ std::optional<UniformError> uniformError(Film& film) {
     return UniformError{std::sqrt(estimate.squaredError()), estimate.squaredErrors()};
 }
 
-RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
-    RenderOutcome outcome(job.area);
-    const double cpuBefore = processCpuSeconds();
+namespace {
+
+/// The picture, once its photons are there.
+void renderTiles(const RenderScene& scene, const RenderJob& job, const CausticReport& caustics,
+                 RenderOutcome& outcome) {
     Run run(scene, job, outcome.film);
     RenderSnapshot last;
     if (job.errorTarget > 0.0) {
-        TowardsTarget towards(scene, run, job, outcome.film);
+        TowardsTarget towards(scene, run, job, outcome.film, caustics);
         outcome.converged = towards.render();
         outcome.errorEstimate = towards.errorEstimate();
         if (job.onSnapshot) last = towards.snapshot();
@@ -196,8 +233,12 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
         Adaptive estimate(outcome.film, nullptr, {});
         estimate.update();
         if (estimate.knowsError()) {
-            outcome.errorEstimate = std::sqrt(estimate.squaredError()) + run.cutError();
-            if (job.wantsPixelErrors) outcome.pixelErrors = estimate.squaredErrors();
+            outcome.errorEstimate =
+                std::sqrt(estimate.squaredError() + caustics.squaredError()) + run.cutError();
+            if (job.wantsPixelErrors) {
+                outcome.pixelErrors =
+                    withCaustics(estimate.squaredErrors(), caustics.squaredError());
+            }
         }
         if (job.onSnapshot) last = estimate.snapshot();
     }
@@ -214,6 +255,30 @@ RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
     outcome.seconds = run.seconds();
     if (!(job.errorTarget > 0.0)) {
         outcome.passes = {{outcome.counts.rays.camera, outcome.errorEstimate, outcome.seconds}};
+    }
+}
+
+}  // namespace
+
+RenderOutcome render(const RenderScene& scene, const RenderJob& job) {
+    RenderOutcome outcome(job.area);
+    const double cpuBefore = processCpuSeconds();
+    if (scene.features & kFeatureCaustics) {
+        const auto began = std::chrono::steady_clock::now();
+        Caustics caustics = traceCaustics(scene, job);
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        outcome.caustics = caustics.report;
+        outcome.photons = std::move(caustics.map);
+        RenderJob rest = job;
+        rest.settings.photons = outcome.photons.get();
+        if (job.timeLimit > 0.0)
+            rest.timeLimit = std::max(job.timeLimit - seconds, 0.5 * job.timeLimit);
+        renderTiles(scene, rest, caustics.report, outcome);
+        outcome.seconds += seconds;
+        for (PassRecord& pass : outcome.passes) pass.seconds += seconds;
+    } else {
+        renderTiles(scene, job, {}, outcome);
     }
     outcome.cpuSeconds = processCpuSeconds() - cpuBefore;
     return outcome;

@@ -81,6 +81,7 @@ std::vector<OptionRow> makeTable() {
         number<&O::time>("time", "S", "stop after S seconds of rendering", 0, kInfinity, true),
         integer<&O::maxSpp>("max-spp", "N", "most samples a pixel for --error", 1, kMostSamples),
         flag<&O::reference>("reference", "the slow truth, without any shortcut"),
+        flag<&O::caustics>("caustics", "light that glass bends and mirrors throw, by photons"),
         choice<&O::sampler>("sampler", "where samples lie in a pixel",
                             {"joint", "jitter", "grid", "random"}),
         choice<&O::filter>("filter", "how samples become pixels",

@@ -1,4 +1,5 @@
 // The one symbol by which a kernel is seen from outside; see tools/seal_kernel.sh.
+#include "photon_tracer.h"
 #include "rt/trace/trace_kernel.h"
 #include "scene_intersect.h"
 #include "tracer_variants.h"
@@ -49,8 +50,9 @@ auto ask(const MeshTree& tree, Arguments... arguments) {
 constexpr MeshQueries kMesh{&ask<&MeshTree::closestHit>, &ask<&MeshTree::anyHit>,
                             &ask<&MeshTree::closestHits>, &ask<&MeshTree::anyHits>};
 
-constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh,      &renderTile,    &probeTile,
-                              &probePixels,   &firstHits, &intersectShape};
+constexpr TraceKernel kKernel{RT_KERNEL_NAME, kMesh,        &renderTile,
+                              &probeTile,     &probePixels, &firstHits,
+                              &tracePhotons,  &seenThrough, &intersectShape};
 
 }  // namespace
 }  // namespace rt

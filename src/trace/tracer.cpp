@@ -3,6 +3,7 @@
 #include "tracer_first_hit.h"
 #include "tracer_light.h"
 #include "tracer_path.h"
+#include "tracer_photon.h"
 #include "tracer_probe.h"
 #include "tracer_variants.h"
 

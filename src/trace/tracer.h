@@ -4,10 +4,13 @@
 
 #include "medium_set.h"
 #include "occluder_cache.h"
+#include "photon_start.h"
 #include "ray_differential.h"
 #include "rt/sampling/sampler.h"
 #include "rt/shading/light_sample.h"
 #include "rt/trace/moment_pool.h"
+#include "rt/trace/photon_map.h"
+#include "rt/trace/seen_pixel.h"
 #include "rt/trace/trace_kernel.h"
 #include "rt/trace/traced_sample.h"
 #include "scene_intersect.h"
@@ -52,6 +55,14 @@ class Tracer {
     /// What the centre of pixel (x, y) shows.
     FirstHit firstHit(int x, int y);
 
+    /// Adds sample number `index` of pixel (x, y), without photons, and where they would add to it.
+    void see(int x, int y, int index, SeenPixel& seen);
+
+    /// Follows one photon along the light's way, and appends what comes down of it where something
+    /// has mirrored or refracted it. `key` is its own.
+    void photon(const PhotonStart& start, std::uint64_t key, const Photon& like,
+                std::vector<Photon>& photons);
+
   private:
     static constexpr bool kImages = (Features & kFeatureImages) != 0;
     static constexpr bool kAreaLights = (Features & kFeatureAreaLights) != 0;
@@ -60,6 +71,7 @@ class Tracer {
     static constexpr bool kLightKinds = (Features & kFeatureLightKinds) != 0;
     static constexpr bool kManyLights = (Features & kFeatureManyLights) != 0;
     static constexpr bool kAbsorption = (Features & kFeatureAbsorption) != 0;
+    static constexpr bool kCaustics = (Features & kFeatureCaustics) != 0;
     static constexpr bool kTells = (Features & kTelling) != 0;
     /// Corners and centres have other points on the lights than the pixels' samples.
     static constexpr int kOtherPixels = 1 << 30;
@@ -101,6 +113,12 @@ class Tracer {
         Color value{0.0};
     };
 
+    /// What one sample shows without photons.
+    struct SeenSum {
+        Color value{0.0};
+        std::vector<SeenPoint>* points;
+    };
+
     /// What one look gathers for a probe: samples [begin, middle) and [middle, end).
     struct ProbeSum {
         std::uint32_t begin, middle, end;
@@ -117,6 +135,7 @@ class Tracer {
     };
 
     Path pathThrough(const Vec2& at);
+    FilterSample startSample(int x, int y, int index, Path& path);
     /// Puts what moves where it is at time s.
     void turnTo(double s);
     void look(const Vec2& at, int spacing, std::uint32_t end, Probe& probe);
@@ -127,10 +146,16 @@ class Tracer {
     void follow(Path path, Sum& sum);
     void addMiss(const Path& path, SampleSum& sum);
     void addMiss(const Path& path, ProbeSum& sum) const;
+    void addMiss(const Path& path, SeenSum& sum) const;
     void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
                 SampleSum& sum);
     void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
                 ProbeSum& sum);
+    void addOwn(const Path& path, double own, const SceneHit& hit, const ShadePoint& point,
+                SeenSum& sum);
+    Color caustics(const Path& path, const SceneHit& hit, const ShadePoint& point) const;
+    void putDown(const PhotonStart& start, const Path& path, const SceneHit& hit,
+                 const ShadePoint& point, const Photon& like, std::vector<Photon>& photons) const;
     bool nextHit(const Ray& ray, const MediumSet& media, Interval range, SceneHit& hit);
     MediumSet beyondHit(const MediumSet& media) const;
     Split split(const Path& path, const SceneHit& hit, const ShadePoint& point,

@@ -132,6 +132,9 @@ typename Tracer<Features>::Share Tracer<Features>::visibilityThroughGlass(Index 
         absorb(media, reach, visible);
         return visible;
     }
+    if constexpr (kCaustics) {
+        if (scene_.lights[light].byPhotons) return Share(0.0);
+    }
     for (std::uint64_t left = settings_.raysPerSample; largestOf(visible) > 0.0; --left) {
         if (left == 0) {
             ++counts_.cutPaths;

@@ -33,14 +33,14 @@ Tracer<Features>::~Tracer() {
     if (moment_) moments_->takeBack(std::move(moment_));
 }
 
+/// Turns to a sample, and to the path that it begins with.
 template <unsigned Features>
-Color Tracer<Features>::sample(int x, int y, int index) {
+FilterSample Tracer<Features>::startSample(int x, int y, int index, Path& path) {
     sampler_.start(x, y, index);
     if (moment_) [[unlikely]]
         turnTo(sampler_.time());
     const FilterSample at = sampler_.pixel();
     const Vec2 lens = scene_.camera.hasLens() ? concentricDisc(sampler_.lens()) : Vec2(0.0);
-    Path path;
     path.ray = scene_.camera.ray(x + 0.5 + at.offset.x, y + 0.5 + at.offset.y, lens);
     if constexpr (kImages) {
         path.differential = cameraDifferential(scene_.camera, path.ray.direction);
@@ -51,7 +51,13 @@ Color Tracer<Features>::sample(int x, int y, int index) {
     raysLeft_ = settings_.raysPerSample;
     filterWeight_ = std::fabs(at.weight);
     ++counts_.rays.camera;
+    return at;
+}
 
+template <unsigned Features>
+Color Tracer<Features>::sample(int x, int y, int index) {
+    Path path;
+    const FilterSample at = startSample(x, y, index, path);
     SampleSum sum;
     gather(std::move(path), sum);
     return at.weight * sum.value;
@@ -238,7 +244,11 @@ void Tracer<Features>::shineThrough(const Path& path, const SceneHit& hit, const
 template <unsigned Features>
 void Tracer<Features>::cutSmall(const Path& path, double& part, Split& parts) {
     if (!(part > 0.0)) return;
-    const double bound = largestOf(path.weight) * part * scene_.radianceBound;
+    double radiance = scene_.radianceBound;
+    if constexpr (kCaustics) {
+        if (settings_.photons) radiance += settings_.photons->radianceBound;
+    }
+    const double bound = largestOf(path.weight) * part * radiance;
     if (raysLeft_ > 0 && !(bound < settings_.cutoff)) {
         --raysLeft_;
         return;
@@ -271,9 +281,14 @@ void Tracer<Features>::addMiss(const Path& path, SampleSum& sum) {
 }
 
 template <unsigned Features>
-void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit&,
+void Tracer<Features>::addOwn(const Path& path, double own, [[maybe_unused]] const SceneHit& hit,
                               const ShadePoint& point, SampleSum& sum) {
-    const Color color = ownColor(path, own, point);
+    Color color = ownColor(path, own, point);
+    if constexpr (kCaustics) {
+        const Color thrown = caustics(path, hit, point);
+        if constexpr (kTells) toldRay().thrown = thrown;
+        color += thrown;
+    }
     if constexpr (kTells) toldRay().color = color;
     sum.value += path.weight * own * color;
 }

@@ -23,6 +23,10 @@ inline std::uint64_t pieceAt(const RenderScene& scene, const SceneHit& hit) {
     return std::uint64_t{hit.at.leaf} << 40 | std::uint64_t{hit.instance} << 8 | face;
 }
 
+/// A kernel of so many footprints (half diagonals of a pixel) leaves nothing to hide between
+/// corners.
+inline constexpr double kSmoothKernel = 4.0;
+
 template <unsigned Features>
 void Tracer<Features>::probeCorner(int x, int y, int spacing, std::uint32_t end, Probe& probe) {
     sampler_.start(x - kOtherPixels, y, 0);
@@ -125,6 +129,17 @@ void Tracer<Features>::addOwn(const Path& path, double own, const SceneHit& hit,
     }
     if constexpr (kSecondary) {
         markNarrow(path, glm::length(point.position - path.ray.origin), sum);
+    }
+    if constexpr (kCaustics) {
+        // What photons bring is as smooth as the kernel is wide.
+        const double margin = sum.spacing * footprint(path, point);
+        if (settings_.photons && settings_.photons->mayLight(point.position, margin)) {
+            if (settings_.photons->leastRadius < kSmoothKernel * margin) {
+                evidence.marks |= kProbeDetail;
+            } else {
+                sum.addToAll(path.weight * own * caustics(path, hit, point));
+            }
+        }
     }
     sum.addToAll(path.weight * own * point.material.diffuse * scene_.ambient);
     for (Index light = 0; light < scene_.lights.size(); ++light) {

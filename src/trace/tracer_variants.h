@@ -7,16 +7,19 @@ namespace rt {
 
 constexpr unsigned kVariantFeatures = kFeatureReflection | kFeatureRefraction | kFeatureImages |
                                       kFeatureAreaLights | kFeatureAbsorption | kFeatureLightKinds |
-                                      kFeatureManyLights;
+                                      kFeatureManyLights | kFeatureCaustics;
 
 /// The features of the leanest variant that renders scenes with these. Glass needs all that mirrors
 /// need: total internal reflection. What absorbs is glass. One variant with everything is enough
-/// for the kinds of light, and for many of them.
+/// for the kinds of light, and for many of them; and another for photons.
 constexpr unsigned variantOf(unsigned features) {
 #ifdef RT_TWO_VARIANTS
     return (features & kVariantFeatures) ? kVariantFeatures : 0;
 #else
-    if (features & (kFeatureLightKinds | kFeatureManyLights)) return kVariantFeatures;
+    if (features & kFeatureCaustics) return kVariantFeatures;
+    if (features & (kFeatureLightKinds | kFeatureManyLights)) {
+        return kVariantFeatures & ~kFeatureCaustics;
+    }
     features &= kVariantFeatures;
     if (features & kFeatureAbsorption) features |= kFeatureRefraction;
     return (features & kFeatureRefraction) ? features | kFeatureReflection : features;

@@ -21,11 +21,13 @@ inline double clippedRmse(const Picture& a, const Picture& b) {
     return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
-/// Against the slow truth of so many samples a pixel.
-inline void checkErrorIsKept(const Shot& shot, int samples, std::initializer_list<double> errors) {
+/// Against the slow truth of so many samples a pixel. With a seed of its own it shares no photon.
+inline void checkErrorIsKept(const Shot& shot, int samples, std::initializer_list<double> errors,
+                             double truthSeed = 0.0) {
     PictureSettings truth;
     truth.options.reference = true;
     truth.options.spp = samples;
+    truth.options.seed = truthSeed;
     const Picture right = renderScript(shot.script(), truth);
     for (const double error : errors) {
         CAPTURE(shot.body);

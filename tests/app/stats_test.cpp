@@ -44,6 +44,7 @@ RenderStats sample() {
     s.rays = {6, 7, 8, 9};
     s.cutPaths = 10;
     s.cutErrorBound = 1e-9;
+    s.caustics = {0.25, 0.125, 14, 15, 16, 0.75, 0.375, true};
     s.passes = {{12, std::nullopt, 0.05}, {13, 0.00297, 0.1}};
     s.features = {"texture", "focal"};
     s.skipped = {{"bump", "no \"uv\""}};
@@ -60,7 +61,9 @@ TEST_CASE("Every key of the contract is there with its value, and no other") {
     const json expected = json::parse(R"({
         "scene": "scene.lua", "output": "a.png", "width": 640, "height": 480, "threads": 2,
         "seed": 9007199254740992, "spp_mean": 4.5, "spp_min": 4, "spp_max": 64,
-        "error_estimate": 0.00297, "error_target": 0.003, "converged": true, "triangles": 1,
+        "error_estimate": 0.00297, "error_target": 0.003, "converged": true,
+        "caustics": {"noise": 0.25, "bias": 0.125, "photons_sent": 14, "photons_kept": 15,
+                     "passes": 16, "first_radius": 0.75, "last_radius": 0.375}, "triangles": 1,
         "primitives": 2, "instances": 3, "lights": 4, "build_seconds": 0.5, "render_seconds": 0.1,
         "cpu_seconds": 0.25, "peak_rss_bytes": 5,
         "rays": {"camera": 6, "shadow": 7, "reflection": 8, "refraction": 9}, "cut_paths": 10,

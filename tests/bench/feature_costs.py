@@ -44,6 +44,7 @@ FEATURES = {
     "reflection": "far:set_reflection(0.5) root:add_child(far, grey)",
     "refraction": "far:set_refraction(1.5, 0.5) root:add_child(far, grey)",
     "motion blur": "far:move(0, 0, 1) root:add_child(far, grey)",
+    "caustics": "gr.options{caustics = true} far:set_reflection(0.5) root:add_child(far, grey)",
     "absorption": "far:set_refraction(1.5, 0.5) far:set_absorption{1, 0, 0} root:add_child(far, grey)",
 }
 # An object more in the scene, whatever it is made of, costs too: those that add one are set beside this.

@@ -192,7 +192,7 @@ class Rendering(EndToEnd):
         self.run_project("scene.lua", "-q", "--spp", "2", "--stats", "stats.json")
         stats = json.loads(self.read("stats.json"))
         render = stats["renders"][0]
-        for key in ("scene output width height threads seed spp_mean spp_min spp_max error_estimate error_target "
+        for key in ("scene output width height threads seed spp_mean spp_min spp_max error_estimate error_target caustics "
                     "converged triangles primitives instances lights build_seconds render_seconds cpu_seconds "
                     "peak_rss_bytes rays cut_paths cut_error_bound passes features skipped warnings").split():
             self.assertIn(key, render)
@@ -228,7 +228,7 @@ class Rendering(EndToEnd):
         "background image": "background image look-ups", "lights": "shadow rays",
         "absorption": "what media absorb along each ray", "light kinds": "what spots, suns and rectangles give",
         "motion blur": "a moment of its own for each sample", "many lights": "a choice of lights at each point",
-        "combined solids": "what solids have in common",
+        "combined solids": "what solids have in common", "caustics": "photons",
     }
     USES = {
         "reflection": ("ball:set_reflection(0.5)", ["secondary rays"]),
@@ -243,6 +243,8 @@ class Rendering(EndToEnd):
         "motion blur": ("ball:spin('y', 90)", []),
         "many lights": ("for i = 1, 32 do lights[i] = gr.light({i, 9, 9}, {1, 1, 1}, {1, 0, 0}) end", ["lights"]),
         "combined solids": ("root:add_child(gr.difference('d', ball, gr.cube('c')), white)", []),
+        "caustics": ("gr.options{caustics = true} ball:set_reflection(0.5) lights[1] = gr.light({0, 9, 9}, {1, 1, 1}, {1, 0, 0})",
+                     ["reflection", "secondary rays", "lights"]),
         "lens": ("focal = gr.focal(9, 0.1, 0.1)", []),
         "meshes": ("root:add_child(gr.mesh('m', {{0,0,0}, {1,0,0}, {0,1,0}}, {{0,1,2}}), white)", []),
         "background image": ("gr.background('white.png')", []),
@@ -435,7 +437,8 @@ class Scenes(EndToEnd):
                         ["textures and bump maps", "area lights", "background image", "transparent shadows", "absorption", "light kinds", "motion blur",
                          "combined solids"]):
             self.assertIn(feature, render["features"])
-        self.assertEqual([skipped["what"] for skipped in render["skipped"]], ["a choice of lights at each point"])
+        # Where nodes move there are no caustics.
+        self.assertEqual([skipped["what"] for skipped in render["skipped"]], ["a choice of lights at each point", "photons"])
         (_, _, fast), (_, _, truth) = pfm(self.path("fast.pfm")), pfm(self.path("truth.pfm"))
         # In the mean over the picture: averaged textures have less noise than the truth's samples, pixel by pixel.
         # They may be off by a third of the default error.

@@ -52,9 +52,9 @@ TEST_CASE("every row stores what it checks, and loads what it stored, and nothin
 TEST_CASE("the rows have names of their own and cover every field") {
     std::set<std::string> names;
     for (const OptionRow& one : optionTable()) names.insert(one.name);
-    CHECK(names == std::set<std::string>{"spp", "error", "time", "max-spp", "reference", "sampler",
-                                         "filter", "seed", "max-depth", "cutoff", "smooth-angle",
-                                         "bits", "transfer", "flip-v"});
+    CHECK(names == std::set<std::string>{"spp", "error", "time", "max-spp", "reference", "caustics",
+                                         "sampler", "filter", "seed", "max-depth", "cutoff",
+                                         "smooth-angle", "bits", "transfer", "flip-v"});
 }
 
 TEST_CASE("values at the ends of a range fit, those beyond do not") {

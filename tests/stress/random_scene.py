@@ -145,7 +145,7 @@ class RandomScene:
         rng = self.rng
         options = ["--seed", str(rng.randrange(10 ** 6))]
         for chance, more in ((0.2, ["--filter", rng.choice(FILTERS)]), (0.15, ["--transfer", "srgb"]), (0.15, ["--bits", "16"]),
-                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
+                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]), (0.1, ["--caustics"]),
                              (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 4))])):
             if rng.random() < chance:
                 options += more

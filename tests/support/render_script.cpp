@@ -42,6 +42,7 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
     CompileSettings compileSettings;
     compileSettings.smoothAngleDegrees = options.smoothAngle.value_or(40.0);
     compileSettings.flipV = options.flipV.value_or(false);
+    compileSettings.caustics = options.caustics.value_or(false);
     AssetCache assets(1);
     const RenderScene scene =
         compileScene(run.scene, settings.render, compileSettings, assets, diagnostics);
@@ -50,6 +51,7 @@ Picture renderScript(const std::string& script, const PictureSettings& settings)
     const SamplingGoal goal = samplingGoal(options);
     job.settings = goal.trace;
     job.errorTarget = goal.errorTarget;
+    job.causticTarget = goal.causticTarget;
     job.adaptive = goal.adaptive;
     job.area = {0, 0, scene.width, scene.height};
     job.threads = settings.threads;

@@ -31,6 +31,12 @@ struct RenderSummary {
     std::string output;
     double seconds = 0.0;
     std::optional<double> error;  ///< the estimated RMSE
+    /// What of it is by photons: by chance, and by the width of their kernel.
+    struct Photons {
+        double noise;
+        double bias;
+    };
+    std::optional<Photons> photons{};
 };
 
 /// Whole percents: a bar with the error so far and the time left on a terminal, one line for each

@@ -29,8 +29,9 @@ struct RenderStats {
     double sppMean = 0.0;
     std::uint64_t sppMin = 0;
     std::uint64_t sppMax = 0;
-    std::optional<double> errorEstimate;  ///< RMSE; none if nothing was estimated
-    std::optional<double> errorTarget;    ///< none with --spp or --time alone
+    std::optional<double> errorEstimate;    ///< RMSE; none if nothing was estimated
+    std::optional<CausticReport> caustics;  ///< none where no photons were asked for
+    std::optional<double> errorTarget;      ///< none with --spp or --time alone
     bool converged = false;
     std::uint64_t triangles = 0;
     std::uint64_t primitives = 0;

@@ -17,6 +17,8 @@ struct CompileSettings {
     int threads = 1;
     double smoothAngleDegrees = 40.0;  ///< for meshes that do not say
     bool flipV = false;
+    bool caustics =
+        false;          ///< light comes through refracting and off reflecting objects by photons
     bool srgb = false;  ///< images hold sRGB values, to be made linear
     std::uint64_t maxInstances = 10'000'000;
     std::uint64_t maxPixels = std::uint64_t{1} << 27;  ///< of an image that a scene reads

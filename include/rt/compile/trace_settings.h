@@ -12,10 +12,11 @@ inline constexpr int kDefaultSpp = 16;  ///< of samplers that must know the numb
 
 /// How long to sample, and how.
 struct SamplingGoal {
-    TraceSettings trace;       ///< trace.spp is the exact number, or the most, of samples a pixel
-    double errorTarget = 0.0;  ///< 0: exactly trace.spp samples
-    double timeLimit = 0.0;    ///< seconds; 0: none
-    bool adaptive = true;      ///< towards an error target, more samples where they help most
+    TraceSettings trace;         ///< trace.spp is the exact number, or the most, of samples a pixel
+    double errorTarget = 0.0;    ///< 0: exactly trace.spp samples
+    double causticTarget = 0.0;  ///< RMSE that photons may leave
+    double timeLimit = 0.0;      ///< seconds; 0: none
+    bool adaptive = true;        ///< towards an error target, more samples where they help most
 };
 
 /// Every field of `options` passed the checks of the option table. Without spp, error and time the

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct RenderJob {
     /// Sample until the estimated RMSE of the area is at most this; 0 = exactly settings.spp
     /// samples a pixel, and settings.spp is the most that a pixel gets otherwise.
     double errorTarget = 0.0;
+    /// Of scenes with kFeatureCaustics: trace photons until their light is off by at most this
+    /// RMSE.
+    double causticTarget = 0.0;
     bool adaptive = true;  ///< towards an error target: more samples where they help most
     bool wantsPixelErrors = false;
     const TraceKernel* kernel = nullptr;
@@ -54,6 +58,23 @@ struct PassRecord {
     double seconds = 0.0;  ///< since the start
 };
 
+/// What became of the photons, and how far their light is off in the picture: RMSE of values
+/// clipped to [0, 1], by chance and by the width of the kernel.
+struct CausticReport {
+    double noise = 0.0;
+    double bias = 0.0;
+    std::uint64_t sent = 0;
+    std::uint64_t kept = 0;  ///< that came down after something had mirrored or refracted them
+    std::uint32_t passes = 0;
+    double firstRadius = 0.0;  ///< in units of the world
+    double lastRadius = 0.0;
+    bool isEnough = true;  ///< no further off than was asked for
+    /// The last radius where photons light what pixels show, in the median.
+    double lastRadiusInPixels = 1.0;
+
+    double squaredError() const { return noise * noise + bias * bias; }
+};
+
 struct RenderOutcome {
     explicit RenderOutcome(const Tile& area) : film(area) {}
 
@@ -63,11 +84,15 @@ struct RenderOutcome {
     std::vector<PassRecord> passes;       ///< in order
     double seconds = 0.0;
     double cpuSeconds = 0.0;
-    /// Estimated RMSE of the image, what was cut included; of single samples nothing can be said.
+    /// Estimated RMSE of the image, photons and what was cut included; of single samples nothing
+    /// can be said.
     std::optional<double> errorEstimate;
     /// Where they were asked for and are known: the estimated squared error of each pixel, whose
     /// mean is the square of the estimate less what was cut.
     std::vector<double> pixelErrors;
+    /// Of scenes with kFeatureCaustics, and what the tracer was told to read.
+    std::optional<CausticReport> caustics;
+    std::shared_ptr<const PhotonMap> photons;
     bool cancelled = false;
     bool outOfTime = false;
     bool converged = false;  ///< all that was asked for was reached

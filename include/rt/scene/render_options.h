@@ -19,6 +19,7 @@ struct RenderOptions {
     std::optional<double> time;           ///< stop after so many seconds of rendering
     std::optional<int> maxSpp;            ///< most samples a pixel for `error`
     std::optional<bool> reference;        ///< the slow, plain truth
+    std::optional<bool> caustics;         ///< light through glass and off mirrors, by photons
     std::optional<std::string> sampler;   ///< joint, jitter, grid, random
     std::optional<std::string> filter;    ///< box, gaussian, mitchell, blackman-harris
     std::optional<double> seed;           ///< whole number, 0 .. 2^53

@@ -21,6 +21,9 @@ struct Light {
     /// Floor of n.w in the diffuse term.
     double brightness = 0.0;
 
+    /// What of it passes through refracting objects comes as photons, not straight.
+    bool byPhotons = false;
+
     LightKind kind = LightKind::kBall;
     Vec3 direction{0.0};  ///< unit, the way that a spot's or a sun's light goes
     double inner = 0.0;   ///< half-angle up to which a spot gives its full light, in radians

@@ -29,6 +29,10 @@ struct Look {
 
     /// Whether what it shows varies from point to point.
     bool isPictured() const { return texture || pattern || bump; }
+    /// Whether it mirrors anything, or lets anything through.
+    bool sendsOn() const {
+        return (reflects && reflectionOwnWeight < 1.0) || (refracts && refractionOwnWeight < 1.0);
+    }
 
     double reflectionOwnWeight = 1.0;  ///< weight of the own colour beside the mirror image
     double refractionOwnWeight = 1.0;  ///< weight of the own colour beside what shines through
@@ -73,9 +77,10 @@ enum Feature : unsigned {
     kFeatureMeshes = 1u << 5,
     kFeatureAbsorption = 1u << 6,  ///< refracting solids that colour what shines through
     kFeatureLightKinds = 1u << 7,  ///< lights that are no balls
-    kFeatureMotion = 1u << 8,
+    kFeatureCaustics = 1u << 8,    ///< photons
     kFeatureManyLights = 1u << 9,  ///< more than are looked at from each point
-    kFeatureCsg = 1u << 10,  ///< unions, intersections, differences
+    kFeatureCsg = 1u << 10,        ///< unions, intersections, differences
+    kFeatureMotion = 1u << 11,
 };
 
 struct Background {
@@ -107,6 +112,8 @@ struct RenderScene {
     /// Values of paths differ by no more than this in any channel; infinity where there is no
     /// bound.
     double radianceBound = kInfinity;
+    /// The largest share of irradiance that any surface shows.
+    double localBound = 1.0;
     /// World bounds of the refracting solids, which may contain the lens.
     Bounds refractingBounds;
     /// The least extent of all solids in their own axes, of those for which it is known.

@@ -12,8 +12,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace rt {
+
+struct Photon;
+struct PhotonMap;
+struct PhotonPlan;
+struct SeenPixel;
 
 struct TraceSettings {
     int spp = 16;  ///< samples that each pixel will get; jitter and grid divide the pixel by it
@@ -28,6 +34,8 @@ struct TraceSettings {
     std::uint32_t textureShares = 128;
     /// Where there are many lights, so many are chosen at each point; 0: all are looked at.
     int lightsAtPoint = 16;
+    /// What mirrors and glass send onto surfaces, of scenes with kFeatureCaustics; null: nothing.
+    const PhotonMap* photons = nullptr;
     /// Once true, pixels are left with the samples that they have; looked at now and then.
     const std::atomic<bool>* cancel = nullptr;
 };
@@ -128,6 +136,16 @@ struct TraceKernel {
     /// Fills one hit for each pixel of `tile`, row-major.
     void (*firstHits)(const RenderScene& scene, const TraceSettings& settings, const Tile& tile,
                       FirstHit* hits);
+
+    /// Appends the photons of one group in one pass, in a fixed order. The scene has
+    /// kFeatureCaustics.
+    void (*tracePhotons)(const RenderScene& scene, const TraceSettings& settings,
+                         const PhotonPlan& plan, std::uint32_t pass, std::uint32_t group,
+                         std::vector<Photon>& photons);
+
+    /// The first `samples` samples of a pixel.
+    void (*seenThrough)(const RenderScene& scene, const TraceSettings& settings,
+                        const PixelPlace& pixel, int samples, SeenPixel& seen);
 
     /// One shape by itself, placed by `transform`: the nearest hit of a world-space ray, and the
     /// unit geometric normal there, in the world.

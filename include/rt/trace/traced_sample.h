@@ -51,7 +51,9 @@ struct TracedRay {
     Material material;
     TracedParts parts;
     std::vector<TracedLight> lights;
-    Color color{0.0};  ///< the surface's own, by all lights and the ambient one; or the background
+    Color thrown{0.0};  ///< by photons
+    /// The surface's own, by all lights, photons and the ambient light; or the background.
+    Color color{0.0};
 };
 
 struct TracedSample {

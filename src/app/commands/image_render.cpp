@@ -24,6 +24,12 @@ std::string partialName(const std::string& name) {
     return stem + ".partial" + extension;
 }
 
+RenderSummary summaryOf(const std::string& output, const RenderStats& stats) {
+    RenderSummary summary{output, stats.renderSeconds, stats.errorEstimate};
+    if (stats.caustics) summary.photons = {stats.caustics->noise, stats.caustics->bias};
+    return summary;
+}
+
 }  // namespace
 
 std::vector<std::string> filesOf(const Options& options, const std::string& output) {
@@ -141,8 +147,7 @@ void ImageRender::save(const Picture& picture, const std::string& output) {
         console_.progress().abandon();
         interrupted("what was rendered so far is in " + output);
     } else {
-        console_.progress().finish(
-            {output, picture.stats.renderSeconds, picture.stats.errorEstimate});
+        console_.progress().finish(summaryOf(output, picture.stats));
     }
 }
 
@@ -154,7 +159,7 @@ void ImageRender::savePart(const Picture& picture, const std::string& name) {
         return;
     }
     console_.warnIfAny(writeFile(name, encodePart(*picture.part)));
-    console_.progress().finish({name, picture.stats.renderSeconds, picture.stats.errorEstimate});
+    console_.progress().finish(summaryOf(name, picture.stats));
 }
 
 void ImageRender::saveSnapshot(const Picture& picture, const std::string& name) {

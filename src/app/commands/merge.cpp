@@ -134,10 +134,14 @@ class Merged {
             static_cast<double>(samples) / static_cast<double>(film_.pixels.size());
         const std::optional<UniformError> error = uniformError(film_);
         if (!error) return metadata;
-        metadata.error = error->rmse + cutBound_ / std::max(1.0, static_cast<double>(cameraRays_));
+        const double squared = error->rmse * error->rmse + head_.causticError;
+        metadata.error =
+            std::sqrt(squared) + cutBound_ / std::max(1.0, static_cast<double>(cameraRays_));
         for (ImagePlane& plane : image_.planes) {
             if (plane.name != namesOf({Aov::kError})[0]) continue;
-            plane = planesOf({Aov::kError}, {film_, error->squared, {}}, head_.area)[0];
+            std::vector<double> errors = error->squared;
+            for (double& one : errors) one += head_.causticError;
+            plane = planesOf({Aov::kError}, {film_, errors, {}}, head_.area)[0];
         }
         return metadata;
     }

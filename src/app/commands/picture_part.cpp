@@ -11,7 +11,7 @@
 namespace rt {
 namespace {
 
-constexpr std::string_view kMagic = "RTPART1\n";
+constexpr std::string_view kMagic = "RTPART2\n";
 constexpr std::string_view kAnyMagic = "RTPART";
 constexpr std::size_t kChecksumBytes = 8;
 
@@ -31,6 +31,7 @@ void writeHead(PackedWriter& to, const PicturePart& part) {
     to.real(part.samplesPerPixel);
     to.word(part.error ? 1 : 0);
     to.real(part.error.value_or(0.0));
+    to.real(part.causticError);
     to.text(part.scene);
     to.word(static_cast<int>(part.planes.size()));
     for (const ImagePlane& plane : part.planes) {
@@ -65,6 +66,7 @@ void readHead(PackedReader& from, PicturePart& part) {
     const bool known = from.word() == 1;
     const double error = from.real();
     if (known) part.error = error;
+    part.causticError = from.real();
     part.scene = from.text();
     const int planes = from.word();
     for (int i = 0; i < planes; ++i) part.planes.push_back(readPlane(from));

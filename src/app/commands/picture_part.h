@@ -3,12 +3,13 @@
 // Numbers are little endian, floats are IEEE 754; u4 and u8 are unsigned of 4 and 8 bytes, f4 and
 // f8 floats; a text is its length (u4) and its bytes.
 //
-//   "RTPART1\n"
+//   "RTPART2\n"
 //   u8 scene hash, u8 seed, u4 width, u4 height of the image
 //   u4 x 4    x0 y0 x1 y1 of the area that all shards together render
 //   u4 index, u4 count of the shard
 //   u4 bits, u4 1 for --transfer srgb
 //   u4 1 for --error, then f8 samples per pixel, u4 1 where an error is known, f8 it
+//   f8        the squared error that photons leave
 //   text      the scene's name
 //   u4        number of planes; of each a text for its name, u4 channels, a text for each
 //   tiles     of the area, row by row, those that the shard owns: f8 sum of the bounds of what was
@@ -48,6 +49,7 @@ struct PicturePart {
     bool planned = false;
     double samplesPerPixel = 0.0;
     std::optional<double> error;
+    double causticError = 0.0;  ///< squared, that photons leave
     std::string scene;
     std::vector<ImagePlane> planes;  ///< without values
     std::vector<PartTile> tiles;

@@ -108,7 +108,8 @@ class Report {
                          brief(ray.parts.reflected) + ", refracted " + brief(ray.parts.refracted));
         if (!(ray.parts.own > 0.0)) return;
         line(indent, "own colour " + channels(ray.color) + ", of it ambient light " +
-                         channels(ray.material.diffuse * scene_.ambient));
+                         channels(ray.material.diffuse * scene_.ambient) +
+                         (ray.thrown == Color(0.0) ? "" : ", by photons " + channels(ray.thrown)));
         std::size_t next = 0;
         for (Index light = 0; light < scene_.lights.size(); ++light) {
             const bool isTold = next < ray.lights.size() && ray.lights[next].light == light;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -81,6 +82,17 @@ void warnIfNotConverged(const RenderStats& stats, const RenderDesc& render,
                      "the estimated error is " + shortest(*stats.errorEstimate) +
                          ", more than the target of " + shortest(*stats.errorTarget) +
                          " (see --max-spp)");
+}
+
+void warnOfCaustics(const RenderOutcome& outcome, const RenderStats& stats,
+                    const RenderDesc& render, Diagnostics& diagnostics) {
+    if (!outcome.caustics || outcome.caustics->isEnough || outcome.cancelled) return;
+    if (!stats.errorTarget || stats.converged) return;
+    diagnostics.warn("caustics", render.where,
+                     "the light of photons is off by about " +
+                         shortest(std::sqrt(outcome.caustics->squaredError())) +
+                         ", and more than the " + std::to_string(outcome.caustics->kept) +
+                         " of them do not help, or do not fit into memory");
 }
 
 void warnOfNonFinite(const TraceCounts& counts, const RenderDesc& render,
@@ -155,6 +167,7 @@ Picture SceneRenderer::render(const SceneDesc& desc, std::size_t index,
     picture.settings = imageSettings(prepared.options);
     picture.stats = statsOf(prepared.scene, prepared.options, outcome);
     picture.stats.scene = desc.name;
+    warnOfCaustics(outcome, picture.stats, desc.renders[index], diagnostics);
     const Tile area = areaOf(prepared.scene);
     if (options_.shard) {
         picture.part = partOf(outcome, prepared, picture.stats);
@@ -183,7 +196,9 @@ PixelTrace SceneRenderer::renderPixel(const PreparedScene& prepared,
     }
     const RenderJob job = jobFor(scene, prepared.options, listener);
     const RenderOutcome outcome = rt::render(scene, job);
-    return {place, outcome.film.at(place.x, place.y), traceSettingsOf(job), outcome.cancelled};
+    TraceSettings settings = traceSettingsOf(job);
+    settings.photons = outcome.photons.get();
+    return {place, outcome.film.at(place.x, place.y), settings, outcome.photons, outcome.cancelled};
 }
 
 std::vector<ImagePlane> SceneRenderer::planesBeside(const RenderOutcome& outcome,
@@ -224,6 +239,7 @@ PicturePart SceneRenderer::partOf(const RenderOutcome& outcome, const PreparedSc
         part.samplesPerPixel = stats.sppMean;
         part.error = stats.errorEstimate;
     }
+    if (outcome.caustics) part.causticError = outcome.caustics->squaredError();
     part.scene = stats.scene;
     part.planes = planesBeside(outcome, prepared, {});
     const std::vector<Tile> tiles = tilesOf(part.area);
@@ -277,6 +293,7 @@ RenderScene SceneRenderer::compiled(const SceneDesc& desc, std::size_t index,
     settings.threads = threads_;
     settings.smoothAngleDegrees = options.smoothAngle.value_or(settings.smoothAngleDegrees);
     settings.flipV = options.flipV.value_or(false);
+    settings.caustics = options.caustics.value_or(false);
     settings.srgb = options.transfer.value_or("raw") == "srgb";
     settings.maxInstances = static_cast<std::uint64_t>(options_.maxInstances);
     settings.maxPixels = static_cast<std::uint64_t>(options_.maxPixels);
@@ -302,6 +319,7 @@ RenderJob SceneRenderer::jobFor(const RenderScene& scene, const RenderOptions& o
     RenderJob job;
     job.settings = goal.trace;
     job.errorTarget = goal.errorTarget;
+    job.causticTarget = goal.causticTarget;
     job.adaptive = goal.adaptive;
     // Towards an error target a pixel's samples depend on the whole image's error.
     job.area = goal.errorTarget > 0.0 ? wholeOf(scene) : areaOf(scene);
@@ -342,6 +360,7 @@ RenderStats SceneRenderer::statsOf(const RenderScene& scene, const RenderOptions
     countSamples(outcome.film, options_.shard.has_value(), stats);
     stats.converged = outcome.converged;
     stats.errorEstimate = outcome.errorEstimate;
+    stats.caustics = outcome.caustics;
     const double target = samplingGoal(options).errorTarget;
     if (target > 0.0) stats.errorTarget = target;
     const SceneCounts counts = countsOf(scene);

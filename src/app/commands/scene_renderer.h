@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct PixelTrace {
     PixelPlace place;
     PixelState state;
     TraceSettings settings;
+    std::shared_ptr<const PhotonMap> photons;  ///< that the settings name
     bool cancelled = false;
 };
 

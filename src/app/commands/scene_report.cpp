@@ -34,6 +34,8 @@ constexpr FeatureText kTexts[] = {
     {kFeatureLens, "lens", "lens samples", "no gr.focal with a lens radius above 0"},
     {kFeatureCsg, "combined solids", "what solids have in common",
      "no gr.union, gr.intersection or gr.difference is placed"},
+    {kFeatureCaustics, "caustics", "photons",
+     "no gr.options{caustics = true}, or nothing that mirrors or refracts light at rest"},
     {kFeatureMeshes, "meshes", "mesh trees and normal interpolation", "no gr.mesh is placed"},
 };
 
