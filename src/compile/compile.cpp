@@ -2,11 +2,11 @@
 
 #include "csg_builder.h"
 #include "flatten.h"
-#include "motion_bounds.h"
 #include "photon_lights.h"
 #include "radiance_bound.h"
 #include "rt/core/error.h"
 #include "rt/trace/moment_pool.h"
+#include "scene_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,29 +36,6 @@ double largestElement(const Mat3& m) {
     return largest;
 }
 
-double largest(const Bounds& bounds) {
-    const Vec3 v = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
-    return std::max({v.x, v.y, v.z});
-}
-
-/// Magnitude of the coordinates that hits on a shape are computed from, beside its bounds.
-double roundingOf(const Shape& shape) {
-    const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape);
-    return csg ? (*csg)->rounding : 0.0;
-}
-
-/// The world box of a placed shape; met by no ray where a tree leaves it out, by all where the way
-/// to object space may be off by more than boxes allow for. `around` holds all that the map makes
-/// of points as far from the origin as the shape's.
-PaddedBox worldBox(const Instance& instance, const Bounds& around, const Bounds& world) {
-    const Vec3 extent = world.extent();
-    if (world.isEmpty() || !(extent.x + extent.y + extent.z < kInfinity)) return {};
-    if (!instance.boxed) return {world, kInfinity};
-    return {world, largest(around)};
-}
-
-constexpr Bounds kEverywhere{Vec3(-kInfinity), Vec3(kInfinity)};
-
 /// Builds one RenderScene, step by step.
 class Compiler {
   public:
@@ -79,7 +56,7 @@ class Compiler {
             diagnostics_.warn("empty-scene", render_.where, "the scene places no object");
         }
         rankByCreation();
-        buildTree();
+        buildSceneTree(out_, settings_.threads);
         addLightsAndSky();
         placeCamera();
         if (settings_.caustics) sendByPhotons(out_, render_.where, diagnostics_);
@@ -322,45 +299,6 @@ class Compiler {
         for (Index rank = 0; rank < byCreation.size(); ++rank) {
             out_.instances[byCreation[rank]].order = rank;
         }
-    }
-
-    void buildTree() {
-        std::vector<Bounds> boxes;
-        std::vector<PaddedBox> padded;
-        const bool few = out_.instances.size() <= kFewBoxes;
-        for (const Shape& shape : out_.shapes) {
-            out_.shapeBoxes.push_back({boundsOf(shape), roundingOf(shape)});
-        }
-        boxes.reserve(out_.instances.size());
-        auto moving = out_.moving.begin();
-        for (Instance& instance : out_.instances) {
-            const Bounds local = boundsOf(out_.shapes[instance.shape]);
-            const bool bounded = kindOf(out_.shapes[instance.shape]).bounded;
-            // The tree leaves out what has no finite box.
-            boxes.push_back(bounded ? instance.transform.boundsToWorld(local) : kEverywhere);
-            const Vec3 reach = glm::max(glm::max(glm::abs(local.min), glm::abs(local.max)),
-                                        Vec3(roundingOf(out_.shapes[instance.shape])));
-            Bounds around = instance.transform.boundsToWorld({-reach, reach});
-            if (moving != out_.moving.end() && moving->instance == boxes.size() - 1) {
-                if (bounded) {
-                    boxes.back().unite(sweptBounds(moving->path, local));
-                    around.unite(sweptBounds(moving->path, {-reach, reach}));
-                }
-                ++moving;
-            }
-            instance.boxed =
-                !(instance.transform.condition() > kBoxedCondition) && reach.x < kInfinity;
-            const double thickness = thicknessOf(out_, instance);
-            if (thickness > 0.0) out_.thinnest = std::min(out_.thinnest, thickness);
-            if (few) padded.push_back(worldBox(instance, around, boxes.back()));
-            if (out_.looks[instance.look].refracts && instance.closed) {
-                out_.refractingBounds.unite(boxes.back());
-            }
-        }
-        if (few) out_.quads = boxQuads(padded);
-        WideTree::Settings settings;
-        settings.threads = settings_.threads;
-        out_.tree = WideTree::build(boxes, settings);
     }
 
     void addLightsAndSky() {
