@@ -99,7 +99,8 @@ TEST_CASE("every option of the table is known by its name with underscores") {
     const ScriptRun run = runScene(kGo + R"(
         gr.options{error = '0.01', time = 10, max_spp = 64, reference = true, sampler = 'grid',
                    filter = 'blackman-harris', seed = 7, max_depth = 0, cutoff = 0,
-                   smooth_angle = 180, bits = 16, transfer = 'srgb', flip_v = true}
+                   smooth_angle = 180, bits = 16, transfer = 'srgb', flip_v = true,
+                   caustics = true}
         go(gr.node('n')))");
     REQUIRE(run.error == "");
     const RenderOptions& options = run.scene().renders.at(0).options;
