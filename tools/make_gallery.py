@@ -79,6 +79,7 @@ SECTIONS = [
     ("What a script can do", [single("city", "960x540"), single("menger", "", "--size", "960x540", "--spp", "64"),
                               *(single(name, "960x540") for name in ("tori", "waves", "seashell", "carved"))]),
     ("All at once", [single("everything", "960x540"), single("first_light", "800x450")]),
+    ("Caustics", [single("caustic_" + name, "", "--size", "640x360", "--error", "0.01") for name in ("glass", "ring", "lens")]),
     ("One effect each", [single(name, "800x450") for name in EFFECTS]),
     ("The older form of the language", [[Shot("scenes/a4/%s.lua" % name, "a4_" + name, OLD)] for name in OLD_SCENES]),
 ]
