@@ -1,5 +1,6 @@
 // Spots, suns and rectangles against their equations, and against the lights that they become.
 #include "closed_forms.h"
+#include "floor_shot.h"
 #include "kept_error.h"
 #include "unbiased.h"
 
@@ -68,14 +69,10 @@ double meanOverSquare(int n, const std::function<double(double, double)>& f) {
 
 /// Adaptive pictures of a ball and a post on a floor are as near to the truth as they say.
 void checkHonest(const std::string& lights) {
-    Shot shot;
-    shot.body = lights + kFloor + place("gr.nh_sphere('ball', {-1, 0, 0.7}, 0.7)", 0.7) +
-                place("gr.nh_box('post', {0.8, 0, 0}, {0.1, 0.1, 1.5})", 0.9);
-    shot.eye = {0.0, -7.0, 2.3};
-    shot.view = {0.0, 7.0, -1.8};
-    shot.up = {0.0, 0.0, 1.0};
-    shot.fov = 36.0;
-    shot.width = shot.height = 64;
+    const Shot shot =
+        floorShot(lights + kFloor + place("gr.nh_sphere('ball', {-1, 0, 0.7}, 0.7)", 0.7) +
+                      place("gr.nh_box('post', {0.8, 0, 0}, {0.1, 0.1, 1.5})", 0.9),
+                  64);
     checkErrorIsKept(shot, 1024, {0.01, 0.003});
 }
 

@@ -1,4 +1,5 @@
 // More lights than are looked at from each point: their sum all the same.
+#include "floor_shot.h"
 #include "kept_error.h"
 #include "unbiased.h"
 
@@ -91,15 +92,9 @@ TEST_CASE("--reference looks at every light") {
 }
 
 TEST_CASE("adaptive renders of many lights keep their error") {
-    Shot shot;
-    shot.body =
+    const Shot shot = floorShot(
         kFloor + place("gr.nh_sphere('ball', {-1, 0, 0.7}, 0.7)", 0.7) +
         place("gr.nh_box('post', {0.8, 0, 0}, {0.3, 0.3, 1.5})", 0.9, "it:set_reflection(0.6)") +
-        lamps(9, ", 0.1");
-    shot.eye = {0.0, -7.0, 2.3};
-    shot.view = {0.0, 7.0, -1.8};
-    shot.up = {0.0, 0.0, 1.0};
-    shot.fov = 36.0;
-    shot.width = shot.height = 48;
+        lamps(9, ", 0.1"));
     checkErrorIsKept(shot, 1024, {0.01, 0.004});
 }

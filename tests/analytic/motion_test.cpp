@@ -1,4 +1,5 @@
 // Motion blur: what a point shows is the mean over the shutter's time.
+#include "floor_shot.h"
 #include "kept_error.h"
 #include "unbiased.h"
 
@@ -142,15 +143,9 @@ TEST_CASE("what does not move is the picture without, to the byte; a tree and fe
 }
 
 TEST_CASE("adaptive renders of what moves keep their error") {
-    Shot shot;
-    shot.body = kFloor +
-                place("gr.nh_sphere('ball', {-1, 0, 0.7}, 0.7)", 0.7, "it:move(0.6, 0, 0.3)") +
-                place("gr.nh_box('post', {0.8, 0, 0}, {0.1, 0.1, 1.5})", 0.9) +
-                "lights[1] = gr.light({4, -3, 6}, {0.8, 0.8, 0.8}, {1, 0, 0}, 0.5)\n";
-    shot.eye = {0.0, -7.0, 2.3};
-    shot.view = {0.0, 7.0, -1.8};
-    shot.up = {0.0, 0.0, 1.0};
-    shot.fov = 36.0;
-    shot.width = shot.height = 48;
+    const Shot shot = floorShot(
+        kFloor + place("gr.nh_sphere('ball', {-1, 0, 0.7}, 0.7)", 0.7, "it:move(0.6, 0, 0.3)") +
+        place("gr.nh_box('post', {0.8, 0, 0}, {0.1, 0.1, 1.5})", 0.9) +
+        "lights[1] = gr.light({4, -3, 6}, {0.8, 0.8, 0.8}, {1, 0, 0}, 0.5)\n");
     checkErrorIsKept(shot, 1024, {0.01, 0.004});
 }
