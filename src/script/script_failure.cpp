@@ -75,13 +75,18 @@ std::string messageFor(lua_State* state, const std::string& raised, ExitCode cod
     return located(state, raised);
 }
 
+RunFailure failureOf(lua_State* state, const std::string& raised) {
+    const ExitCode code = codeOf(hostOf(state), raised);
+    const bool hasNoLine = callerLocation(state).file.empty();
+    return {true, raised, code, messageFor(state, raised, code), "", hasNoLine};
+}
+
 int noteFailureSafely(lua_State* state) {
     ScriptHost& host = hostOf(state);
     const std::string raised = describeError(state, 1);
     lua_settop(state, 1);
     if (host.failure.known && host.failure.raised == raised) return 1;
-    const ExitCode code = codeOf(host, raised);
-    RunFailure failure{true, raised, code, messageFor(state, raised, code), ""};
+    RunFailure failure = failureOf(state, raised);
     failure.traceback = printable(tracebackOf(state));
     host.failure = std::move(failure);
     return 1;
@@ -181,10 +186,11 @@ void callFromOutside(lua_State* state, int arguments, int results) {
     if (!host.failure.known) {
         // Lua calls no handler when memory or the C stack is at its end.
         const std::string raised = toText(state, -1).value_or("error in error handling");
-        const ExitCode code = codeOf(host, raised);
-        host.failure = {true, raised, code, messageFor(state, raised, code), ""};
-        // The stack is unwound: where no line is known, the script's name at least.
-        if (!host.chunks.empty()) unknownLine.file = printable(host.chunks.front());
+        host.failure = failureOf(state, raised);
+    }
+    // Where the stack had no line (it was unwound already), the script's name at least.
+    if (host.failure.hasNoLine && !host.chunks.empty()) {
+        unknownLine.file = printable(host.chunks.front());
     }
     lua_pop(state, 1);
     throwFailure(host, unknownLine);

@@ -24,6 +24,7 @@ struct RunFailure {
     ExitCode code = ExitCode::kScene;
     std::string text;  ///< the message: with the script line
     std::string traceback;
+    bool hasNoLine = false;  ///< no Lua function was running (any more)
 };
 
 struct TimeLimit {

@@ -150,6 +150,9 @@ TEST_CASE("Errors at run time carry file and line, whatever the error value is")
         {"local function f() return f() + 1 end f()", "scene.lua:1: stack overflow"},
         {"local function f() return (('x'):gsub('x', f)) end f()", "C stack overflow"},
         {"local function f() coroutine.wrap(f)() end f()", "C stack overflow"},
+        {"local function f() local s = ('x'):rep(9000) .. 'y' collectgarbage()"
+         " return (('x'):gsub('x', f)) end f()",
+         "error in __gc metamethod (C stack overflow)"},
         {"local t = setmetatable({}, {}) getmetatable(t).__index = t return t.x", "loop"},
         {"table.unpack({}, 1, 1e7)", "too many results to unpack"},
         {"string.format('%1000d', 1)", "invalid format (width or precision too long)"},
