@@ -18,7 +18,7 @@ local CLANG = PREFIX ~= ""
 -- nothing and with everything, do for all: a quarter of the time to build.
 local TWO_VARIANTS = " -DRT_TWO_VARIANTS"
 local CONFIGURATIONS = {
-  Release = "-O2 -g -DNDEBUG",
+  Release = "-O2 -g1 -DNDEBUG",
   Debug = "-O0 -g",
   Sanitize = "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
     .. TWO_VARIANTS,

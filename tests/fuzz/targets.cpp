@@ -107,14 +107,14 @@ void checkMesh(const TriangleMesh& mesh) {
 constexpr int kPictureWidth = 6;
 constexpr int kPictureHeight = 5;
 
-std::vector<PixelState> film(const RenderScene& scene, const TraceKernel& kernel) {
+Film filmOf(const RenderScene& scene, const TraceKernel& kernel) {
     RenderJob job;
     RenderOptions options;
     options.spp = 1;
     job.settings = samplingGoal(options).trace;
     job.area = {0, 0, scene.width, scene.height};
     job.kernel = &kernel;
-    return render(scene, job).film.pixels;
+    return render(scene, job).film;
 }
 
 bool sameBits(const Color& a, const Color& b) {
@@ -135,13 +135,14 @@ void renderAll(const std::string& path) {
         compile.height = kPictureHeight;
         compile.maxInstances = 10'000;
         const RenderScene compiled = compileScene(scene, i, compile, assets, diagnostics);
-        const std::vector<PixelState> fast = film(compiled, chooseKernel(""));
-        const std::vector<PixelState> plain = film(compiled, chooseKernel("baseline"));
-        for (std::size_t k = 0; k < fast.size(); ++k) {
-            const Color value = fast[k].mean();
+        const Film fast = filmOf(compiled, chooseKernel(""));
+        const Film plain = filmOf(compiled, chooseKernel("baseline"));
+        for (std::size_t k = 0; k < fast.pixels.size(); ++k) {
+            const Color value = fast.pixels[k].mean();
             hold(std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z),
                  "pixels are finite");
-            hold(sameBits(value, plain[k].mean()), "every instruction set gives the same bits");
+            hold(sameBits(value, plain.pixels[k].mean()),
+                 "every instruction set gives the same bits");
         }
     }
 }

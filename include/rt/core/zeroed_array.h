@@ -2,13 +2,26 @@
 // time.
 #pragma once
 
+#include <sys/mman.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
 
 namespace rt {
+
+/// Memory of many large pages is cleared and mapped in a fraction of the time that small ones take.
+/// What the system makes of it changes nothing else.
+inline void askForLargePages(void* memory, std::size_t bytes) {
+    constexpr std::uintptr_t kLargePage = std::uintptr_t{2} << 20;
+    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
+    const std::uintptr_t end = (begin + bytes) / kLargePage * kLargePage;
+    if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+}
 
 /// `count` elements of a plain type whose default has all bits 0. Throws std::bad_alloc.
 template <class T>
@@ -22,6 +35,7 @@ class ZeroedArray {
     explicit ZeroedArray(std::size_t count)
         : data_(static_cast<T*>(std::calloc(count, sizeof(T)))), size_(count) {
         if (count > 0 && !data_) throw std::bad_alloc();
+        askForLargePages(data_.get(), count * sizeof(T));
     }
 
     std::size_t size() const { return size_; }

@@ -1,6 +1,7 @@
 // What the pixels of an area have gathered.
 #pragma once
 
+#include "rt/core/zeroed_array.h"
 #include "rt/render/tiles.h"
 #include "rt/trace/trace_kernel.h"
 
@@ -20,7 +21,7 @@ struct Film {
     const PixelState& at(int x, int y) const { return pixels[offset(x, y)]; }
 
     Tile area;
-    std::vector<PixelState> pixels;
+    ZeroedArray<PixelState> pixels;
 
     std::size_t offset(int x, int y) const { return area.offset(x, y); }
 };
