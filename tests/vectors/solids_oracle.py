@@ -17,6 +17,7 @@ from flint import fmpq, arb
 import math
 import oracle as O
 
+FAR = 2.0 ** -26
 SAME = 2.5 * 4096 * O.EPS        # surfaces closer than 4096 roundings of the coordinates count as one, by design
 
 
@@ -40,7 +41,7 @@ class Line:
         self.scale, self.inv = 1.0, None
         self.o, self.d = o, d
         if place is not None:
-            self.o, self.d, S, self.inv = O.ray_to_object(place, [O.rnd(x) for x in o], [O.rnd(x) for x in d])
+            self.o, self.d, S, self.inv = O.ray_to_object(place, o, d)
             det = O.vdot(self.inv[0], O.cross(self.inv[1], self.inv[2]))
             self.scale = abs(O.rnd(det)) ** (-1 / 3)
         self.S = max([S] + [abs(O.rnd(x)) for x in self.o])
@@ -126,7 +127,9 @@ class Quad:
         g = root_sum([O.fl(x) for x in self.slope(p)])
         # No nearer than where the slope and the bend at most can bring the value to 0.
         distance = 2 * value / (g + math.sqrt(g * g + 2 * self.bend * value)) if value else 0.0
-        return min(distance / S, value / self.magnitude(p)) if self.given else distance / S
+        if not self.given or value == 0:
+            return distance / S
+        return min(distance / S, value / self.magnitude(p))
 
 
 class Torus:
@@ -152,7 +155,8 @@ class Torus:
 
 
 class Heights:
-    """Not above heights over the unit square; what is outside of it is out. `sheet`: its border is one of the surface."""
+    """Not above heights over the unit square, and beside it not above its border. Only what lies over the square is met.
+    sheet: the border is one of the surface, which bounds nothing."""
 
     def __init__(self, columns, rows, heights, sheet):
         self.nx, self.nz = columns - 1, rows - 1
@@ -169,7 +173,7 @@ class Heights:
         return abs(h[j][i] - h[j + 1][i + 1]) <= abs(h[j][i + 1] - h[j + 1][i])
 
     def facets(self, i, j):
-        """(three corners, sign, which side of the diagonal) with the cell's coordinates a, b in [0,1]"""
+        """(three corners, >= 0 on their side of the diagonal) in the cell's coordinates a, b"""
         c = [self.corner(i, j), self.corner(i + 1, j), self.corner(i + 1, j + 1), self.corner(i, j + 1)]
         if self.falling(i, j):         # a >= b, a <= b
             return [((c[0], c[1], c[2]), lambda a, b: a - b), ((c[0], c[2], c[3]), lambda a, b: b - a)]
@@ -221,7 +225,7 @@ class Heights:
 
         def inside(t):
             x, y, z = [line.o[i] + t * line.d[i] for i in range(3)]
-            return 0 <= x <= 1 and 0 <= z <= 1 and y <= self.height(x, z)
+            return y <= self.height(*(max(fmpq(0), min(fmpq(1), v)) for v in (x, z)))
         return list(found.values()), self.margin(line) / S, inside
 
     def margin(self, line):
@@ -316,7 +320,6 @@ def frustum_side(c, r0, k, size):
     M = [[fmpq(1), fmpq(0), fmpq(0)], [fmpq(0), -k * k, fmpq(0)], [fmpq(0), fmpq(0), fmpq(1)]]
     at0 = r0 - k * c[1]
     l = [-2 * c[0], -2 * k * at0, -2 * c[2]]
-    fc = [O.rnd(x) for x in c]
     return Quad(M, l, c[0] * c[0] + c[2] * c[2] - at0 * at0, size,
                 lambda p: math.hypot(O.fl(p[0] - O.A(c[0])), O.fl(p[2] - O.A(c[2]))))
 
@@ -434,18 +437,17 @@ def grouped(cuts):
     return groups
 
 
-def exactly(root):
-    return root if root.q is None or root.b is not None else O.Root(O.A(root.q), root.q)
-
-
 def parallel(a, b):
     return all(x.contains(0) for x in O.cross(a.n, b.n))
 
 
+def gap_of(a, b):
+    return abs(O.fl(b.t.b - a.t.b))
+
+
 def shift_to_meet(a, b, length):
     """Of the line, until the surfaces of two cuts are met at once, to first order."""
-    gap = abs(number(O.to_fraction(b.t.b) - O.to_fraction(a.t.b))) * length
-    return gap / (1 / max(a.cos, 1e-300) + 1 / max(b.cos, 1e-300))
+    return gap_of(a, b) * length / (1 / max(a.cos, 1e-300) + 1 / max(b.cos, 1e-300))
 
 
 def trace(expression, o, d, combined=False, extra_S=0.0):
@@ -479,6 +481,7 @@ def trace(expression, o, d, combined=False, extra_S=0.0):
 def walk(expression, groups, ask, line, combined, result):
     length = line.speed()
     states, values = [], []
+    heights = [id(a) for a, _ in atoms(expression) if isinstance(a, Heights)]
     for k in range(len(groups) + 1):
         if not groups:
             t = fmpq(0)
@@ -488,18 +491,21 @@ def walk(expression, groups, ask, line, combined, result):
             t = O.to_fraction(groups[-1][0].t.b) + 1
         else:
             t = between(groups[k - 1][0], groups[k][0])
-        now = {a: f(t) for a, f in ask.items()} if k == 0 else dict(states[-1])
-        for cut in groups[k - 1] if k else ():
-            now[id(cut.atom)] = ask[id(cut.atom)](t)
+        changed = ask if k == 0 else [id(c.atom) for c in groups[k - 1]] + heights
+        now = {**(states[-1] if k else {}), **{a: ask[a](t) for a in changed}}
         states.append(now)
         values.append(value(expression, now))
     result.inside = values
     near = [math.inf] * len(groups)
     for i in range(len(groups)):
         for j in range(i + 1, len(groups)):
-            if len(set(values[i:j + 2])) == 1 and not flips(expression, states[i], groups[i:j + 1], values[i]):
+            # Surfaces that are clearly apart need no closer look.
+            if nearness(groups[i], groups[j], length) > FAR:
                 continue
-            weigh(groups, i, j, length, line, combined, near, result)
+            if j > i + 1 or len(set(values[i:j + 2])) > 1 or flips(expression, states[i], groups[i:j + 1], values[i]):
+                weigh(groups[i], groups[j], length, line, combined, result)
+                shift = min(shift_to_meet(a, b, length) for a in groups[i] for b in groups[j])
+                near[i], near[j] = min(near[i], shift), min(near[j], shift)
     for i, group in enumerate(groups):
         alike = all(parallel(group[0], c) for c in group[1:])
         matters = values[i] != values[i + 1] or flips(expression, states[i], [group], values[i])
@@ -524,20 +530,22 @@ def flips(expression, state, groups, plain):
     return any(value(expression, {**state, id(c.atom): not state[id(c.atom)]}) != plain for g in groups for c in g)
 
 
-def weigh(groups, i, j, length, line, combined, near, result):
-    for a in groups[i]:
-        for b in groups[j]:
-            gap = number(O.to_fraction(b.t.b) - O.to_fraction(a.t.b))
+def nearness(first, second, length):
+    """In units of the noise scale."""
+    return min(shift_to_meet(a, b, length) / max(a.noise, b.noise) for a in first for b in second)
+
+
+def weigh(first, second, length, line, combined, result):
+    for a in first:
+        for b in second:
             if combined:
+                t = O.fl(b.t.b)
                 speed = max(abs(O.rnd(x)) for x in line.d)
-                reach = max(abs(O.rnd(x)) for x in line.o) / speed + abs(number(O.to_fraction(b.t.b)))
-                if gap < SAME * reach:
+                reach = max(abs(O.rnd(x)) for x in line.o) / speed + abs(t)
+                if gap_of(a, b) < SAME * reach:
                     result.margin = 0.0
-            if a.atom is b.atom:
-                continue
-            shift = shift_to_meet(a, b, length)
-            result.margin = min(result.margin, shift / max(a.noise, b.noise))
-            near[i], near[j] = min(near[i], shift), min(near[j], shift)
+            if a.atom is not b.atom:
+                result.margin = min(result.margin, shift_to_meet(a, b, length) / max(a.noise, b.noise))
 
 
 # --- sheets that lie in y = 0
@@ -551,7 +559,8 @@ def flat(o, d, extra_S, sides):
     result.S, result.inside = line.S, []
     if d[1] == 0:
         result.deg = o[1] == 0
-        result.margin = abs(O.rnd(o[1])) / line.S
+        if not result.deg:
+            result.margin = abs(O.rnd(o[1])) / line.S
         return result
     t = -o[1] / d[1]
     within, size = sides(o[0] + t * d[0], o[2] + t * d[2])
