@@ -161,7 +161,7 @@ project "rtcore"
   kind "StaticLib"
   compile("rtcore")
   files { "src/**.cpp", "include/**.h" }
-  excludes { "src/app/*main.cpp", "src/oiio_plugin/**", "src/preview_plugin/**" }
+  excludes { "src/app/*main.cpp", "src/app/intersect/**", "src/oiio_plugin/**", "src/preview_plugin/**" }
   includedirs { embed("kPreviewPage", "src/app/preview/preview.html", "preview_page.inc") }
 
 for _, isa in ipairs(KERNEL_NAMES) do
@@ -198,7 +198,7 @@ project "Project"
 project "intersect"
   kind "ConsoleApp"
   compile("intersect")
-  files { "src/app/intersect_main.cpp" }
+  files { "src/app/intersect_main.cpp", "src/app/intersect/*.cpp" }
   configuration "Release"
     if PREFIX == "" then targetdir "build" end
   configuration {}

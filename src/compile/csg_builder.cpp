@@ -42,7 +42,7 @@ class Builder {
           operation_(std::get<CsgDesc>(geometryOf(whole_)).operation) {}
 
     BuiltCsg build() {
-        const CsgPart whole = combined(whole_, operation_, {});
+        const CsgPart whole = csgGathered(combined(whole_, operation_, {}));
         BuiltCsg built;
         if (whole.isEmpty()) {
             sources_.diagnostics.warn("empty-solid", whole_.where,
@@ -53,7 +53,7 @@ class Builder {
         auto shape = std::make_shared<CsgShape>();
         shape->name = nameOf(operation_);
         shape->leaves = std::move(leaves_);
-        addNode(*shape, whole, kNone, false);
+        addNode(*shape, whole, false);
         shape->bounds = whole.bounds;
         shape->rounding = whole.rounding;
         shape->convex = isConvex(whole, *shape);
@@ -203,27 +203,39 @@ class Builder {
         for (const CsgPart& child : part.children) addLeaves(child, leaves);
     }
 
-    void addNode(CsgShape& shape, const CsgPart& part, Index parent, bool insideOut) const {
+    void addNode(CsgShape& shape, const CsgPart& part, bool insideOut) const {
         const auto index = static_cast<Index>(shape.nodes.size());
         CsgNode node;
         node.box = PaddedBox(part.bounds, part.rounding);
-        node.parent = parent;
         node.negated = part.negated;
         if (part.kind == CsgPart::Kind::kAll)
             node.needed = static_cast<Index>(part.children.size());
-        Index outside = 0;
-        for (const CsgPart& child : part.children) outside += child.negated ? 1 : 0;
+        for (const CsgPart& child : part.children) node.outside += child.negated ? 1 : 0;
         if (part.leaf != kNone) {
             node.leaf = numbers_[part.leaf];
-            shape.leaves[node.leaf].node = index;
             shape.leaves[node.leaf].insideOut = insideOut;
         }
         shape.nodes.push_back(node);
-        shape.outside.push_back(outside);
         for (const CsgPart& child : part.children) {
-            addNode(shape, child, index, insideOut != child.negated);
+            addNode(shape, child, insideOut != child.negated);
         }
         shape.nodes[index].end = static_cast<Index>(shape.nodes.size());
+        if (part.isCrowd()) addCrowd(shape, index);
+    }
+
+    /// A tree over a node's children; none where it would leave one out that has no finite box.
+    static void addCrowd(CsgShape& shape, Index parent) {
+        CsgCrowd crowd;
+        std::vector<Bounds> boxes;
+        for (Index child = parent + 1; child < shape.nodes[parent].end;
+             child = shape.nodes[child].end) {
+            crowd.children.push_back(child);
+            boxes.push_back(shape.nodes[child].box.bounds());
+        }
+        crowd.tree = WideTree::build(boxes, {});
+        if (crowd.tree.itemCount() < boxes.size()) return;
+        shape.nodes[parent].crowd = static_cast<Index>(shape.crowds.size());
+        shape.crowds.push_back(std::move(crowd));
     }
 
     bool isConvex(const CsgPart& part, const CsgShape& shape) const {

@@ -75,4 +75,19 @@ CsgPart csgIntersection(std::vector<CsgPart> parts) {
     return simplified(std::move(whole));
 }
 
+CsgPart csgGathered(CsgPart whole) {
+    std::vector<CsgPart>& children = whole.children;
+    for (CsgPart& child : children) child = csgGathered(std::move(child));
+    const auto taken = std::find_if(children.begin(), children.end(),
+                                    [](const CsgPart& part) { return part.negated; });
+    if (static_cast<std::size_t>(children.end() - taken) <= kFewParts) return whole;
+    std::vector<CsgPart> away(std::make_move_iterator(taken),
+                              std::make_move_iterator(children.end()));
+    children.erase(taken, children.end());
+    for (CsgPart& part : away) part.negated = false;
+    children.push_back(csgUnion(std::move(away)));
+    children.back().negated = true;
+    return whole;
+}
+
 }  // namespace rt

@@ -4,9 +4,12 @@
 #include "rt/core/bounds.h"
 #include "rt/core/vec.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace rt {
+
+inline constexpr std::size_t kFewParts = 8;
 
 /// A solid: a leaf, or what its children make. Without a leaf and without children, nothing.
 struct CsgPart {
@@ -20,6 +23,8 @@ struct CsgPart {
     std::vector<CsgPart> children;
 
     bool isEmpty() const { return kind != Kind::kLeaf && children.empty(); }
+    /// A union of more than are tried one after another faster than a tree is walked.
+    bool isCrowd() const { return kind == Kind::kAny && children.size() > kFewParts; }
 };
 
 CsgPart csgLeaf(Index leaf, const Bounds& bounds, double rounding);
@@ -27,5 +32,8 @@ CsgPart csgLeaf(Index leaf, const Bounds& bounds, double rounding);
 CsgPart csgUnion(std::vector<CsgPart> parts);
 /// What is in each of the parts and, of those that are negated, in none; one at least is not.
 CsgPart csgIntersection(std::vector<CsgPart> parts);
+/// The same solid, in which what is taken away from one, where it is many, is taken away as a
+/// union.
+CsgPart csgGathered(CsgPart whole);
 
 }  // namespace rt

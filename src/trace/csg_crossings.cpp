@@ -37,8 +37,8 @@ bool isInside(const MeshShape& shape, const Vec3& point) {
 
 class LeafCrossings {
   public:
-    LeafCrossings(const Ray& ray, Index leaf, CrossingList& out)
-        : ray_(ray), leaf_(leaf), out_(out) {}
+    LeafCrossings(const Ray& ray, Index label, CrossingList& out)
+        : ray_(ray), label_(label), out_(out) {}
 
     template <class Solid>
     void operator()(const Solid& solid) const {
@@ -68,7 +68,7 @@ class LeafCrossings {
 
   private:
     void add(PrimitiveHit hit) const {
-        hit.leaf = leaf_;
+        hit.leaf = label_;
         out_.push(hit);
     }
 
@@ -106,17 +106,16 @@ class LeafCrossings {
     }
 
     const Ray& ray_;
-    Index leaf_;
+    Index label_;
     CrossingList& out_;
 };
 
 }  // namespace
 
-bool addLeafCrossings(const CsgShape& csg, Index leaf, const Ray& ray, CrossingList& crossings) {
-    const CsgLeaf& solid = csg.leaves[leaf];
+bool addLeafCrossings(const CsgLeaf& leaf, Index label, const Ray& ray, CrossingList& crossings) {
     const std::size_t before = crossings.size();
-    return inObjectSpace(solid.transform, ray, [&](const Ray& local) {
-        withShape(solid.shape, LeafCrossings(local, leaf, crossings));
+    return inObjectSpace(leaf.transform, ray, [&](const Ray& local) {
+        withShape(leaf.shape, LeafCrossings(local, label, crossings));
         return crossings.size() > before;
     });
 }

@@ -9,7 +9,8 @@ namespace rt {
 using CrossingList = SmallList<PrimitiveHit, 16>;
 
 /// Adds all crossings of the ray's whole line with a leaf; an even number, each of them from one
-/// side of its surface to the other. `ray` is in the space of the whole. Whether there are any.
-bool addLeafCrossings(const CsgShape& csg, Index leaf, const Ray& ray, CrossingList& crossings);
+/// side of its surface to the other, in order. `ray` is in the space of the whole; `label` becomes
+/// the hits' leaf. Whether there are any.
+bool addLeafCrossings(const CsgLeaf& leaf, Index label, const Ray& ray, CrossingList& crossings);
 
 }  // namespace rt

@@ -93,6 +93,28 @@ TEST_CASE("solids within solids become one expression, without what changes noth
     CHECK(onlyCsg(far).leaves.size() == 1);
 }
 
+TEST_CASE("the parts of a union of many lie in a tree, and those that one of them is less") {
+    const auto crowds = [](const std::string& call, int parts) {
+        const RenderScene scene =
+            compiled("t = {} for i = 1, " + std::to_string(parts) +
+                     " do t[i] = gr.nh_box('t', {i / 90, 0, 0}, 1) end\n" +
+                     "a = gr.nh_box('a', {0, 0, 0}, 3) root:add_child(" + call + ", m)");
+        const CsgShape& shape = onlyCsg(scene);
+        CHECK(shape.leaves.size() >= std::size_t(parts));
+        std::vector<std::size_t> sizes;
+        for (const CsgCrowd& crowd : shape.crowds) sizes.push_back(crowd.children.size());
+        return sizes;
+    };
+    using Sizes = std::vector<std::size_t>;
+    CHECK(crowds("gr.union('u', table.unpack(t))", 8) == Sizes{});
+    CHECK(crowds("gr.union('u', table.unpack(t))", 20) == Sizes{20});
+    CHECK(crowds("gr.union('u', a, gr.union('v', table.unpack(t)))", 20) == Sizes{21});
+    CHECK(crowds("gr.difference('d', a, table.unpack(t))", 8) == Sizes{});
+    CHECK(crowds("gr.difference('d', a, table.unpack(t))", 20) == Sizes{20});
+    CHECK(crowds("gr.intersection('i', a, table.unpack(t))", 20) == Sizes{});
+    CHECK(crowds("gr.intersection('i', a, gr.union('v', table.unpack(t)))", 20) == Sizes{20});
+}
+
 TEST_CASE("an intersection of convex solids is convex, and nothing else is") {
     const auto isConvex = [](const std::string& solid) {
         return onlyCsg(compiled(kTwo + "root:add_child(" + solid + ", m)")).convex;

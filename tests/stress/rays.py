@@ -6,7 +6,7 @@ VECTORS = os.path.join(HERE, "..", "vectors")
 sys.path.insert(0, VECTORS)
 import check  # noqa: E402
 
-PRIMS = ["sphere", "box", "cylinder", "cone", "torus", "triangle"]
+PRIMS = list(check.NUM) + check.SOLIDS
 
 
 def have_flint():

@@ -186,6 +186,35 @@ Solid expression(Draws& draws, int levels) {
     return moved(draws, {script + ")", depth});
 }
 
+/// A union of many small solids, every fourth of them cut.
+Solid crowd(Draws& draws, int count) {
+    std::vector<Solid> parts;
+    std::string script = "gr.union('u'";
+    for (int i = 0; i < count; ++i) {
+        const Solid part = expression(draws, i % 4 == 0 ? 1 : 0);
+        const Vec3 by = draws.vector(1.5);
+        parts.push_back({"moved(" + part.script + ", 0.25, 0.25, 0.25, 0, " + text(by.x) + ", " +
+                             text(by.y) + ", " + text(by.z) + ")",
+                         [=](const Vec3& p) { return part.depth((p - by) / 0.25); }});
+        script += ", " + parts.back().script;
+    }
+    return {script + ")", [=](const Vec3& p) {
+                double value = -kInfinity;
+                for (const Solid& part : parts) value = std::max(value, part.depth(p));
+                return value;
+            }};
+}
+
+/// What it leaves of a box.
+Solid lessCrowd(const Solid& many) {
+    return {"gr.difference('d', gr.nh_box('b', {-1.1, -1.2, -1.3}, {2.5, 2.5, 2.5}), " +
+                many.script + ")",
+            [=](const Vec3& p) {
+                return std::min(inBox(p, Vec3(-1.1, -1.2, -1.3), Vec3(1.4, 1.3, 1.2)),
+                                -many.depth(p));
+            }};
+}
+
 const std::string kTools = R"(
     m = gr.material({1, 1, 1}, {0, 0, 0}, 0)
     function moved(node, sx, sy, sz, degrees, x, y, z)
@@ -223,48 +252,90 @@ std::vector<PrimitiveHit> crossings(const RenderScene& scene, const Ray& ray) {
     return all;
 }
 
+/// Draws points of a line between a solid's crossings.
+struct Turns {
+    int inside = 0;
+    int cut = 0;
+
+    /// Every third line starts near the solid's middle, the others `away` from it.
+    void check(Draws& draws, const Solid& solid, int lines, double away) {
+        CAPTURE(solid.script);
+        const RenderScene scene = sceneOf(solid.script);
+        REQUIRE(scene.instances.size() == 1);
+        for (int k = 0; k < lines; ++k) {
+            const Vec3 target = draws.vector(1.2);
+            const Vec3 direction = draws.vector(1.0);
+            const bool near = k % 3 == 0;
+            checkLine(draws, solid, scene, {near ? target : target - away * direction, direction});
+        }
+    }
+
+  private:
+    void checkLine(Draws& draws, const Solid& solid, const RenderScene& scene, const Ray& ray) {
+        const std::vector<PrimitiveHit> hits = crossings(scene, ray);
+        double from = 0.0;
+        for (std::size_t h = 0; h <= hits.size(); ++h) {
+            const double to = h < hits.size() ? hits[h].t : from + 20.0;
+            const bool expected = (hits.size() - h) % 2 == 1;
+            for (int s = 0; s < 8; ++s) {
+                const Vec3 p = ray.at(draws.uniform(from, to));
+                if (p.x > 80.0) continue;
+                const double depth = solid.depth(p);
+                if (std::fabs(depth) < 1e-9) continue;
+                CAPTURE(p.x);
+                CAPTURE(p.y);
+                CAPTURE(p.z);
+                CHECK((depth > 0.0) == expected);
+                inside += expected ? 1 : 0;
+            }
+            if (h < hits.size()) {
+                ++cut;
+                CHECK(std::fabs(solid.depth(ray.at(hits[h].t))) < 1e-11);
+            }
+            from = to;
+        }
+    }
+};
+
 }  // namespace
 
 TEST_CASE("between its crossings a line is in a combined solid as its parts say, and in turns") {
     Draws draws(7);
-    int inside = 0;
-    int cut = 0;
+    Turns turns;
     for (int i = 0; i < 120; ++i) {
-        const Solid solid = expression(draws, 1 + draws.below(3));
-        CAPTURE(solid.script);
-        const RenderScene scene = sceneOf(solid.script);
-        REQUIRE(scene.instances.size() == 1);
-        for (int k = 0; k < 60; ++k) {
-            const Vec3 target = draws.vector(1.2);
-            const Vec3 direction = draws.vector(1.0);
-            const bool near = k % 3 == 0;
-            const Ray ray{near ? target : target - 6.0 * direction, direction};
-            const std::vector<PrimitiveHit> hits = crossings(scene, ray);
-            double from = 0.0;
-            for (std::size_t h = 0; h <= hits.size(); ++h) {
-                const double to = h < hits.size() ? hits[h].t : from + 20.0;
-                const bool expected = (hits.size() - h) % 2 == 1;
-                for (int s = 0; s < 8; ++s) {
-                    const Vec3 p = ray.at(draws.uniform(from, to));
-                    if (p.x > 80.0) continue;
-                    const double depth = solid.depth(p);
-                    if (std::fabs(depth) < 1e-9) continue;
-                    CAPTURE(p.x);
-                    CAPTURE(p.y);
-                    CAPTURE(p.z);
-                    CHECK((depth > 0.0) == expected);
-                    inside += expected ? 1 : 0;
-                }
-                if (h < hits.size()) {
-                    ++cut;
-                    CHECK(std::fabs(solid.depth(ray.at(hits[h].t))) < 1e-11);
-                }
-                from = to;
-            }
-        }
+        turns.check(draws, expression(draws, 1 + draws.below(3)), 60, 6.0);
     }
-    CHECK(inside > 8000);
-    CHECK(cut > 4000);
+    CHECK(turns.inside > 8000);
+    CHECK(turns.cut > 4000);
+}
+
+TEST_CASE("so it is in a solid of many parts, whose boxes lie in a tree") {
+    Draws draws(11);
+    Turns turns;
+    for (int i = 0; i < 24; ++i) {
+        const Solid many = crowd(draws, 30 + draws.below(40));
+        turns.check(draws, many, 30, 6.0);
+        turns.check(draws, lessCrowd(many), 30, 9.0);
+    }
+    CHECK(turns.inside > 4000);
+    CHECK(turns.cut > 2000);
+}
+
+TEST_CASE("of many parts, too, faces that coincide are one, and the first part is seen") {
+    std::string row;
+    for (int i = 0; i < 40; ++i) {
+        row += ", gr.nh_box('b', {" + std::to_string(i) + ", 0, 0}, 1)";
+    }
+    const RenderScene scene = sceneOf("gr.union('u'" + row + row + ")");
+    for (const double from : {-3.0, 0.5, 17.25, 39.5}) {
+        CAPTURE(from);
+        const std::vector<PrimitiveHit> hits =
+            crossings(scene, {Vec3(from, 0.875, 0.875), Vec3(1.0, 0.0, 0.0)});
+        REQUIRE(hits.size() == (from < 0.0 ? 2 : 1));
+        CHECK(hits.back().t == 40.0 - from);
+        CHECK(hits.back().leaf == 39);
+        if (from < 0.0) CHECK(hits[0].leaf == 0);
+    }
 }
 
 TEST_CASE("normals of combined solids point out of them, on the walls of what is taken away, too") {

@@ -9,8 +9,9 @@ import argparse, lzma, math, os, subprocess, sys
 
 U = 2.0 ** -53
 NUM = {"sphere": 4, "box": 6, "cylinder": 5, "cone": 5, "torus": 5, "triangle": 9}
+SOLIDS = ["quadric", "csg", "height_field", "frustum", "hemisphere", "disc", "rectangle", "plane"]
 MAX_E = {"cone": 8.0}          # scaled error of t; all others 4
-MAX_N = {"triangle": 8.0}      # scaled error of the normal; all others 4
+MAX_N = {"triangle": 8.0, "height_field": 8.0}      # scaled error of the normal; all others 4
 STRICT = 64.0                  # dm/(u S) from which hit or miss must agree
 
 
@@ -22,7 +23,26 @@ def opened(path):
     return open(path) if os.path.exists(path) else lzma.open(path + ".xz", "rt")
 
 
+def read_solid(path):
+    """Questions of any length, a bar, and answers with their own noise scale and radius of curvature"""
+    for line in opened(path):
+        if line.startswith("#") or not line.strip():
+            continue
+        question, answers = line.split("|")
+        v = [number(x) for x in question.split()[-7:]]
+        tok = answers.split()
+        hits = [dict(hi=number(h[0]), lo=number(h[1]), cos=number(h[2]), nm=number(h[3]), noise=number(h[4]),
+                     rad=number(h[5]), n=[number(x) for x in h[6:9]])
+                for h in (tok[3 + 9 * k:12 + 9 * k] for k in range(int(tok[2])))]
+        cls = question.split()[0]
+        yield dict(cls=cls, question=question.strip(), o=v[:3], d=v[3:6], tmin=v[6], s=number(tok[0]), dm=number(tok[1]),
+                   hits=hits, affine=cls == "affine")
+
+
 def read(path, prim):
+    if prim in SOLIDS:
+        yield from read_solid(path)
+        return
     for line in opened(path):
         if line.startswith("#") or not line.strip():
             continue
@@ -41,8 +61,10 @@ def read(path, prim):
                    tmin=v[-1], s=s, dm=dm, hits=hits, affine=tok[0] == "affine")
 
 
-def curvature_radius(prim, case, t):
-    p = case["params"]
+def curvature_radius(prim, case, hit):
+    if "rad" in hit:
+        return hit["rad"]
+    p, t = case["params"], hit["hi"]
     q = [case["o"][i] + t * case["d"][i] - p[i] for i in range(3)]
     if prim == "sphere":
         return p[3]
@@ -67,12 +89,12 @@ def judge(prim, case, answer):
     if true is None or got is None:
         return ("ok" if true is None and got is None else "false" if true is None else "miss"), 0.0, 0.0
     length = math.sqrt(sum(x * x for x in case["d"]))
-    noise = U * (case["s"] + abs(true["hi"]) * length)
+    noise = U * (true.get("noise", case["s"]) + abs(true["hi"]) * length)
     scaled_t = abs(got[0] - true["hi"] - true["lo"]) * length * true["cos"] / noise
     scaled_n = 0.0
     if not case["affine"] and true["nm"] >= 1024 * U * case["s"] and case["cls"] not in ("sliver", "apex"):
         dn = math.sqrt(sum((a - b) ** 2 for a, b in zip(got[1:], true["n"])))
-        scaled_n = dn * curvature_radius(prim, case, true["hi"]) * true["cos"] / noise
+        scaled_n = dn * curvature_radius(prim, case, true) * true["cos"] / noise
     return ("wrong" if scaled_t > 64 else "ok"), scaled_t, scaled_n
 
 
@@ -90,7 +112,7 @@ def fans(binary, path):
     questions = [" ".join(t[:-2]) for t in lines]
     answers, _ = ask(binary, "fan", questions)
     cracks = sum(a.split()[0] == "miss" for a in answers)
-    print(f"fan      {len(lines):6d} cases  cracks {cracks}")
+    print(f"fan          {len(lines):6d} cases  cracks {cracks}")
     return cracks == 0
 
 
@@ -98,11 +120,11 @@ def main():
     arg = argparse.ArgumentParser()
     arg.add_argument("intersect")
     arg.add_argument("--dir", default=os.path.join(os.path.dirname(os.path.abspath(__file__)), "public"))
-    arg.add_argument("--prim", default="sphere,box,cylinder,cone,torus,triangle,fan")
+    arg.add_argument("--prim", default=",".join(list(NUM) + SOLIDS + ["fan"]))
     arg.add_argument("--time", action="store_true", help="also pass --time and print what the program says on stderr")
     a = arg.parse_args()
     good = True
-    print("primitive class        cases judged  miss false wrong nan   max E   max N")
+    print("primitive    class        cases judged  miss false wrong nan   max E   max N")
     for prim in a.prim.split(","):
         path = os.path.join(a.dir, prim + ".txt")
         if prim == "fan":
@@ -122,10 +144,10 @@ def main():
             bad = r["miss"] + r["false"] + r["wrong"] + r["nan"]
             ok = bad == 0 and r["e"] <= MAX_E.get(prim, 4.0) and r["n"] <= MAX_N.get(prim, 4.0)
             good &= ok
-            print(f"{prim:9s} {cls:10s} {r['all']:6d} {r['all'] - r['free']:6d} {r['miss']:5d} {r['false']:5d} "
+            print(f"{prim:12s} {cls:10s} {r['all']:6d} {r['all'] - r['free']:6d} {r['miss']:5d} {r['false']:5d} "
                   f"{r['wrong']:5d} {r['nan']:3d} {r['e']:8.2f} {r['n']:7.2f}{'' if ok else '   <-- short'}")
         if a.time and said.strip():
-            print(f"{prim:9s} {said.strip().splitlines()[-1]}")
+            print(f"{prim:12s} {said.strip().splitlines()[-1]}")
     print("all criteria met" if good else "criteria NOT met")
     return 0 if good else 1
 

@@ -15,50 +15,8 @@ fan.txt: fan k  V[3] ring[3k] o[3] d[3] nhit exact   (closed triangles V,ring[i]
 import argparse, math, random, sys, time, os
 from fractions import Fraction
 import oracle as O
-
-hexf = lambda x: float(x).hex()
-g6 = lambda x: ("%.5e" % x) if math.isfinite(x) else "1e308"
-
-
-def unit(r):
-    while True:
-        v = [r.gauss(0, 1) for _ in range(3)]
-        l = math.sqrt(sum(x * x for x in v))
-        if l > 1e-3:
-            return [x / l for x in v]
-
-
-def norm(v):
-    l = math.sqrt(sum(x * x for x in v))
-    return [x / l for x in v]
-
-
-def crossf(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def dotf(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def mad(p, s, v):
-    return [p[i] + s * v[i] for i in range(3)]
-
-
-def perp(r, n):
-    while True:
-        v = crossf(n, unit(r))
-        if dotf(v, v) > 1e-2:
-            return norm(v)
-
-
-def lu(r, a, b):
-    return 10 ** r.uniform(a, b)
-
-
-def dy(x, bits=10):            # dyadic rounding -> exact arithmetic downstream
-    return round(x * 2 ** bits) / 2 ** bits
-
+import solids_gen
+from gen_tools import crossf, dotf, dy, g6, hexf, inball, lu, mad, norm, perp, unit
 
 # --- primitive samplers: return params, centre, bound radius, feature size
 def prim_sample(prim, r, size, c):
@@ -118,10 +76,6 @@ def surf(prim, P, r):
         w = R + rr * math.cos(b)
         return ([c[0] + w * ca, c[1] + w * sa, c[2] + rr * math.sin(b)],
                 [math.cos(b) * ca, math.cos(b) * sa, math.sin(b)])
-
-
-def inball(r, c, rad):
-    return mad(c, rad * r.random() ** (1 / 3), unit(r))
 
 
 def to_project_frame(prim, P, o, d, M):
@@ -712,10 +666,13 @@ if __name__ == "__main__":
     ap.add_argument("--prim", default="all")
     a = ap.parse_args()
     os.makedirs(a.out, exist_ok=True)
-    prims = ["sphere", "box", "cylinder", "cone", "torus", "triangle"] if a.prim == "all" else a.prim.split(",")
+    prims = ["sphere", "box", "cylinder", "cone", "torus", "triangle"] + list(solids_gen.RUNS) if a.prim == "all" else a.prim.split(",")
     for p in prims:
         t0 = time.time()
-        st = run_triangle(a.seed, a.n, a.out) if p == "triangle" else run_implicit(p, a.seed, a.n, a.out)
+        if p in solids_gen.RUNS:
+            st = solids_gen.run(p, a.seed, a.n, a.out)
+        else:
+            st = run_triangle(a.seed, a.n, a.out) if p == "triangle" else run_implicit(p, a.seed, a.n, a.out)
         print(p, "%.1fs" % (time.time() - t0))
         for k, v in st.items():
             print("   %-10s n=%d hit(t>tmin)=%d well-cond=%d" % (k, *v))

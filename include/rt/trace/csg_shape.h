@@ -13,10 +13,10 @@
 #pragma once
 
 #include "rt/accel/padded_boxes.h"
+#include "rt/accel/wide_tree.h"
 #include "rt/core/transform.h"
 #include "rt/trace/shape.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace rt {
@@ -25,7 +25,6 @@ namespace rt {
 struct CsgLeaf {
     Shape shape;
     Transform transform;     ///< into the whole's space
-    Index node = 0;          ///< of the expression
     bool insideOut = false;  ///< what it bounds is outside of the whole: a cavity's wall
 };
 
@@ -34,19 +33,26 @@ struct CsgLeaf {
 struct CsgNode {
     PaddedBox box;  ///< around it
     Index end = 0;  ///< of its descendants, which lie behind it
-    Index parent = kNone;
     Index leaf = kNone;
+    Index crowd = kNone;   ///< its children again, where they are many; of a union alone
     Index needed = 1;      ///< so many children must count: 1 in a union, else all
+    Index outside = 0;     ///< so many count at a point outside of all of them
     bool negated = false;  ///< counts for its parent where a point is outside of it
 
     bool needsAll() const { return needed > 1; }
+};
+
+/// The children of a union of many, to be met near ones first.
+struct CsgCrowd {
+    WideTree tree;
+    std::vector<Index> children;  ///< nodes, by the tree's items
 };
 
 struct CsgShape {
     const char* name = "";  ///< "union", for people
     std::vector<CsgLeaf> leaves;
     std::vector<CsgNode> nodes;  ///< a parent before its children; the first is the whole
-    std::vector<Index> outside;  ///< how many children of each node count at a point outside of all
+    std::vector<CsgCrowd> crowds;
     Bounds bounds;
     /// Magnitude of the coordinates that hits are computed from, beside those of the bounds.
     double rounding = 0.0;
