@@ -198,8 +198,10 @@ std::string SceneWriter::render() {
     const std::string ambient = vector(0, 0.5);
     const std::string focal =
         below(4) == 0 ? "try(gr.focal, " + number(1, 9) + ", 0.1, " + number(0, 0.5) + ")" : "nil";
-    return "try(gr.render, n[1], 'x.png', 6, 5, " + eye + ", {0, 0, -1}, {0, 1, 0}, " +
-           number(10, 90) + ", " + ambient + ", l, " + focal + ")\n";
+    const std::string scene = number(10, 90) + ", " + ambient + ", l, " + focal + ")\n";
+    const std::string options = below(4) == 3 ? "gr.options{caustics = true}\n" : "";
+    return options + "try(gr.render, n[1], 'x.png', 6, 5, " + eye + ", {0, 0, -1}, {0, 1, 0}, " +
+           scene;
 }
 
 std::string SceneWriter::statement() {

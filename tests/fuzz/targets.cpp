@@ -114,6 +114,8 @@ Film filmOf(const RenderScene& scene, const TraceKernel& kernel) {
     job.settings = samplingGoal(options).trace;
     job.area = {0, 0, scene.width, scene.height};
     job.kernel = &kernel;
+    // Anything is good enough: the least photons that there can be.
+    job.causticTarget = kInfinity;
     return render(scene, job).film;
 }
 
