@@ -77,8 +77,11 @@ std::string messageFor(lua_State* state, const std::string& raised, ExitCode cod
 
 RunFailure failureOf(lua_State* state, const std::string& raised) {
     const ExitCode code = codeOf(hostOf(state), raised);
-    const bool hasNoLine = callerLocation(state).file.empty();
-    return {true, raised, code, messageFor(state, raised, code), "", hasNoLine};
+    const std::string text = messageFor(state, raised, code);
+    const bool isNamed = std::ranges::any_of(hostOf(state).chunks, [&](const std::string& chunk) {
+        return text.starts_with(chunk + ":");
+    });
+    return {true, raised, code, text, "", !isNamed && callerLocation(state).file.empty()};
 }
 
 int noteFailureSafely(lua_State* state) {

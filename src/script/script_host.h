@@ -24,7 +24,7 @@ struct RunFailure {
     ExitCode code = ExitCode::kScene;
     std::string text;  ///< the message: with the script line
     std::string traceback;
-    bool hasNoLine = false;  ///< no Lua function was running (any more)
+    bool hasNoLine = false;  ///< no Lua function was running (any more), and the text names no file
 };
 
 struct TimeLimit {

@@ -7,7 +7,9 @@
 #include "tracer_probe.h"
 #include "tracer_variants.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace rt {
@@ -78,12 +80,34 @@ void firstHitsWith(const RenderScene& scene, const TraceSettings& settings, cons
     }
 }
 
-template <unsigned... Bits>
-TracerVariant variantFor(unsigned features, std::integer_sequence<unsigned, Bits...>) {
+constexpr bool isVariant(unsigned features) {
+    return variantOf(features) == features;
+}
+
+constexpr std::size_t countVariants() {
+    std::size_t count = 0;
+    for (unsigned features = 0; features <= kVariantFeatures; ++features) {
+        count += isVariant(features) ? 1 : 0;
+    }
+    return count;
+}
+
+/// All that variantOf can say.
+constexpr auto kVariants = [] {
+    std::array<unsigned, countVariants()> variants{};
+    std::size_t count = 0;
+    for (unsigned features = 0; features <= kVariantFeatures; ++features) {
+        if (isVariant(features)) variants[count++] = features;
+    }
+    return variants;
+}();
+
+template <std::size_t... Place>
+TracerVariant variantFor(unsigned features, std::index_sequence<Place...>) {
     TracerVariant found;
-    ((variantOf(Bits) == variantOf(features)
-          ? void(found = {&renderTileWith<variantOf(Bits)>, &probeTileWith<variantOf(Bits)>,
-                          &probePixelsWith<variantOf(Bits)>, &firstHitsWith<variantOf(Bits)>})
+    ((kVariants[Place] == variantOf(features)
+          ? void(found = {&renderTileWith<kVariants[Place]>, &probeTileWith<kVariants[Place]>,
+                          &probePixelsWith<kVariants[Place]>, &firstHitsWith<kVariants[Place]>})
           : void()),
      ...);
     return found;
@@ -92,7 +116,7 @@ TracerVariant variantFor(unsigned features, std::integer_sequence<unsigned, Bits
 }  // namespace
 
 TracerVariant tracerFor(unsigned features) {
-    return variantFor(features, std::make_integer_sequence<unsigned, kVariantFeatures + 1>{});
+    return variantFor(features, std::make_index_sequence<kVariants.size()>{});
 }
 
 }  // namespace rt
