@@ -1,4 +1,4 @@
--- Primitives: the unit solids of the language in the back row, scaled, mirrored, sheared and turned in
+-- Primitives: ball, cube, cylinder, cone and torus in the back row, scaled, mirrored, sheared and turned in
 -- the middle row, the nh_ forms with their own measures in front.
 -- Look at: round rims, caps, no gaps to the floor; the spindle torus in front shows its inner lemon
 -- at the dimple; shadows keep to their objects.

@@ -1,4 +1,4 @@
--- An animation that closes: waves run in rings over a field of columns, one period from gr.time 0 to 1.
+-- An animation that closes: waves run in rings over a field of columns, one period in 48 frames.
 --     ./Project scenes/waves.lua --frames 1-48 -o waves_##.png
 -- Look at: frame 48 is one step before frame 1; the pearl keeps its place on top of the middle.
 
