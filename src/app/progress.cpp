@@ -72,15 +72,14 @@ std::string clockText(double seconds) {
            twoDigits(whole % 60);
 }
 
-/// Three significant digits.
+}  // namespace
+
 std::string errorText(double error) {
     std::array<char, 32> text{};
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), error, std::chars_format::general, 3);
     return std::string(text.data(), end.ptr);
 }
-
-}  // namespace
 
 bool wantsColors(ColorMode mode, int descriptor) {
     if (mode != ColorMode::kAuto) return mode == ColorMode::kAlways;

@@ -71,8 +71,9 @@ void warnOfExtra(const CallForm& form, const Arguments& arguments, SceneBuilder&
     const int most = static_cast<int>(form.parameters.size());
     for (int slot = most + 1; slot <= arguments.count(); ++slot) {
         if (!arguments.isGiven(slot)) continue;
-        builder.warnOnce("extra-arguments",
-                         "takes " + std::to_string(most) + " arguments; the rest is ignored");
+        builder.warnOnce("extra-arguments", "takes " + std::to_string(most) +
+                                                (most == 1 ? " argument" : " arguments") +
+                                                "; the rest is ignored");
         return;
     }
 }

@@ -105,7 +105,7 @@ Color Tracer<Features>::lightAlong(const LightRay& ray, double brightness, const
            phong(point.material, point.normal, -path.ray.direction, ray.w, brightness);
 }
 
-/// V of the specification. A surface that the light itself lies on does not hide it.
+/// V, the share of the light that arrives. A surface that the light lies on does not hide it.
 template <unsigned Features>
 typename Tracer<Features>::Share Tracer<Features>::visibility(Index light, const Ray& ray,
                                                               double reach,

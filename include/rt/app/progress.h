@@ -89,4 +89,7 @@ class Progress {
 /// "2.31 s", "4 min 7 s", "2 h 5 min".
 std::string durationText(double seconds);
 
+/// An estimated error for messages: three significant digits.
+std::string errorText(double error);
+
 }  // namespace rt

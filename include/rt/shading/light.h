@@ -46,8 +46,8 @@ bool isPointLike(const Light& light);
 Light spotLight(Light ball, const Vec3& direction, double innerDegrees, double outerDegrees);
 
 /// A light of the same irradiance everywhere, from all of the disc of this half-angle (0 <= A < 90
-/// degrees) in the sky about -direction, in the mean of 4.1's equation over it. `direction` is
-/// unit.
+/// degrees) in the sky about -direction, in the mean of the light's equation over it. `direction`
+/// is unit.
 Light sunLight(const Vec3& direction, const Color& intensity, double halfAngleDegrees,
                double brightness);
 

@@ -2,10 +2,10 @@
 #include "picture_part.h"
 #include "rt/app/aov.h"
 #include "rt/app/commands.h"
+#include "rt/app/progress.h"
 #include "rt/core/diagnostics.h"
 #include "rt/core/error.h"
 #include "rt/core/input_file.h"
-#include "rt/core/text.h"
 #include "rt/output/atomic_file.h"
 #include "rt/render/renderer.h"
 #include "scene_renderer.h"
@@ -192,7 +192,7 @@ int mergeCommand(const MergeOptions& options) {
         std::fprintf(stderr, "%s\n", line.c_str());
     }
     const std::string error =
-        metadata.error ? ", estimated error " + shortest(*metadata.error) : "";
+        metadata.error ? ", estimated error " + errorText(*metadata.error) : "";
     std::fprintf(stderr, "Merged %zu shards into %s%s\n", parts.size(), options.output.c_str(),
                  error.c_str());
     return 0;
