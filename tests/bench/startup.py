@@ -77,6 +77,8 @@ def print_options(folder, project):
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     projects = [os.path.abspath(name) for name in sys.argv[1:]]
     with tempfile.TemporaryDirectory() as folder:
         for name, text in ("scene.lua", SCENE), ("n.params", "n = 2\n"):

@@ -69,6 +69,8 @@ def cost(render):
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     project = os.path.abspath(sys.argv[1])
     rounds = int(sys.argv[sys.argv.index("--rounds") + 1]) if "--rounds" in sys.argv else 5
     near, far = FLOOR % (2000, 2000, 2000, "%s"), FLOOR % (20, 20, 20, "%s")

@@ -139,6 +139,8 @@ def look(browser, folder, pictures, address):
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     folder = tempfile.mkdtemp(prefix="rt-browser-")
     pictures = sys.argv[2] if len(sys.argv) > 2 else folder
     os.makedirs(pictures, exist_ok=True)

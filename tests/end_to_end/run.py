@@ -730,6 +730,8 @@ class Failures(EndToEnd):
 
 def main():
     global PROJECT
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     PROJECT = EndToEnd.project = os.path.abspath(sys.argv[1])
     suite = unittest.TestSuite()
     cases = [Threads, SameBytes, Rendering, OnTerminal, Scenes, Shards, Dependencies, Watching, Previewing,

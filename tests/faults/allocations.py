@@ -60,6 +60,8 @@ class Trial:
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     project = os.path.abspath(sys.argv[1])
     step = int(sys.argv[sys.argv.index("--step") + 1]) if "--step" in sys.argv else 1
     failures, tried, ended = 0, 0, {0: 0, 4: 0}

@@ -42,6 +42,8 @@ def attempt(project, case, sanitized):
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     words = [word for word in sys.argv[1:] if word != "-v"]
     verbose = "-v" in sys.argv
     project, wanted = os.path.abspath(words[0]), set(words[1:])

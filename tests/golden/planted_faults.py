@@ -91,6 +91,8 @@ def check(project, folder, tier, options):
 
 
 def main():
+    if sys.argv[1:2] in ([], ["--help"]):
+        sys.exit(__doc__)
     project = os.path.abspath(sys.argv[1])
     problems = []
     with tempfile.TemporaryDirectory() as outside:
