@@ -11,6 +11,11 @@ namespace {
 
 constexpr Index kSurface = 0;
 constexpr Index kFirstFace = 1;
+/// Damped steps to the quadric's middle, each of which mends what the one before it left.
+constexpr int kAnchorPasses = 3;
+/// Of Newton's, which double the digits: from a quarter of the way to the other root to all of
+/// them.
+constexpr int kMostSteps = 6;
 
 /// A sum of products in twice the precision (Ogita, Rump, Oishi 2005, algorithm 5.3).
 class ExactSum {
@@ -69,6 +74,36 @@ double reachOf(const CentredQuadric& q, double size) {
     return std::max({largestComponent(q.diagonal) * size * size,
                      largestComponent(q.mixed) * size * size, largestComponent(q.linear) * size,
                      std::fabs(q.constant)});
+}
+
+/// From l = 0 to where the gradient is least, and there to the nearest: an ellipsoid's middle, a
+/// cone's apex, an axis. Directions along which A bends next to nothing are left alone.
+Vec3 stepToMiddle(const CentredQuadric& q) {
+    const double steepest = std::max(largestComponent(q.diagonal), largestComponent(q.mixed));
+    const double damping = kLeastBend * steepest;
+    const Mat3 a(q.times(Vec3(1.0, 0.0, 0.0)), q.times(Vec3(0.0, 1.0, 0.0)),
+                 q.times(Vec3(0.0, 0.0, 1.0)));
+    return -(glm::inverse(a * a + Mat3(damping * damping)) * q.times(q.linear));
+}
+
+/// The point of the box about which q adds up least: its middle, or where the box holds it or
+/// nearly, the quadric's.
+Vec3 anchorOf(const QuadricCoefficients& k, const Vec3& lo, const Vec3& hi) {
+    const Vec3 middle = 0.5 * lo + 0.5 * hi;
+    const Vec3 side = hi - lo;
+    const int exponent = -std::ilogb(largestComponent(side));
+    Vec3 anchor = middle;
+    for (int pass = 0; pass < kAnchorPasses; ++pass) {
+        const CentredQuadric q = scaledQuadric(centredAt(k, anchor), 0, exponent);
+        const double reach = reachOf(q, 1.0);
+        if (!(reach > 0.0 && reach < kInfinity)) return middle;
+        const Vec3 step = stepToMiddle(scaledQuadric(q, -std::ilogb(reach), 0));
+        anchor += scaleByPowerOfTwo(step, -exponent);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(std::fabs(anchor[axis] - middle[axis]) <= side[axis])) return middle;
+        }
+    }
+    return glm::clamp(anchor, lo, hi);
 }
 
 struct QuadricShape {
@@ -136,12 +171,22 @@ Stretches stretches(const FootRay& near, const QuadricShape& shape) {
     return between(a, w / a, c / w);
 }
 
-/// A Newton step from s on the quadric; none where the ray grazes.
+/// Newton steps from s on the quadric, each of which is sure to come nearer to the root
+/// (Kantorovich) and too short to reach the other; one, unless coefficients that cancel have left
+/// more to mend.
 double refined(const FootRay& near, double s, const QuadricShape& shape) {
-    const Vec3 p = along(near, s);
-    const double step = 0.5 * shape.q.value(p) / dot(near.direction, shape.q.halfSlope(p));
+    const Vec3& d = near.direction;
+    const double a = dot(d, shape.q.times(d));
     const double reach = kNewtonReach * shape.size;
-    return step * step <= reach * reach * near.inverseSquare ? s - step : s;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const Vec3 p = along(near, s);
+        const double slope = dot(d, shape.q.halfSlope(p));
+        const double step = 0.5 * shape.q.value(p) / slope;
+        if (!(std::fabs(a * step) <= 0.25 * std::fabs(slope))) break;
+        s -= step;
+        if (step * step <= reach * reach * near.inverseSquare) break;
+    }
+    return s;
 }
 
 bool meet(const FootRay& near, const Crossing& at, const QuadricShape& shape, Interval range,
@@ -245,12 +290,13 @@ Quadric::Quadric(const QuadricCoefficients& k, const Vec3& lo, const Vec3& hi) {
     requireFinite("quadric", "c", Vec3(k.c));
     for (int axis = 0; axis < 3; ++axis) {
         requirePositive("quadric", "max - min", hi[axis] - lo[axis]);
-        centre_[axis] = 0.5 * lo[axis] + 0.5 * hi[axis];
-        lo_[axis] = lo[axis] - centre_[axis];
-        hi_[axis] = hi[axis] - centre_[axis];
     }
-    q_ = centredAt(k, centre_);
-    const double reach = reachOf(q_, largestComponent(hi_));
+    anchor_ = anchorOf(k, lo, hi);
+    lo_ = lo - anchor_;
+    hi_ = hi - anchor_;
+    size_ = std::max(largestComponent(lo_), largestComponent(hi_));
+    q_ = centredAt(k, anchor_);
+    const double reach = reachOf(q_, size_);
     if (q_.diagonal == Vec3(0.0) && q_.mixed == Vec3(0.0) && q_.linear == Vec3(0.0)) {
         throw std::invalid_argument("quadric: one of its coefficients beside c must not be 0");
     }
@@ -263,23 +309,22 @@ Quadric::Quadric(const QuadricCoefficients& k, const Vec3& lo, const Vec3& hi) {
 Bounds Quadric::bounds() const {
     Bounds bounds;
     for (int axis = 0; axis < 3; ++axis) {
-        bounds.min[axis] = sumBelow(centre_[axis], lo_[axis]);
-        bounds.max[axis] = sumAbove(centre_[axis], hi_[axis]);
+        bounds.min[axis] = sumBelow(anchor_[axis], lo_[axis]);
+        bounds.max[axis] = sumAbove(anchor_[axis], hi_[axis]);
     }
     return bounds;
 }
 
 bool Quadric::intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const {
-    const double size = largestComponent(hi_);
-    if (isOrdinary(size, ray.direction)) [[likely]] {
-        return cross(centre_, {q_, lo_, hi_, size}, ray, range, hit);
+    if (isOrdinary(size_, ray.direction)) [[likely]] {
+        return cross(anchor_, {q_, lo_, hi_, size_}, ray, range, hit);
     }
     return intersectRescaled(
-        size, ray, range, hit,
+        size_, ray, range, hit,
         [&](int exponent, const Ray& scaled, Interval scaledRange, PrimitiveHit& found) {
-            return cross(scaleByPowerOfTwo(centre_, exponent),
+            return cross(scaleByPowerOfTwo(anchor_, exponent),
                          {scaledQuadric(q_, 0, exponent), scaleByPowerOfTwo(lo_, exponent),
-                          scaleByPowerOfTwo(hi_, exponent), std::ldexp(size, exponent)},
+                          scaleByPowerOfTwo(hi_, exponent), std::ldexp(size_, exponent)},
                          scaled, scaledRange, found);
         });
 }
@@ -295,12 +340,12 @@ SurfacePoint Quadric::surface(const PrimitiveHit& hit, SurfaceDetail detail) con
         Vec3 normal(0.0);
         normal[axis] = positive ? 1.0 : -1.0;
         local[axis] = positive ? hi_[axis] : lo_[axis];
-        placeSurface(surface, centre_, local, normal);
+        placeSurface(surface, anchor_, local, normal);
         surface.error = gamma(4) * largestComponent(hi_ - lo_) + placementError(surface.point);
         if (parametrised) layOnBoxFace(surface, local, lo_, hi_ - lo_, face);
         return surface;
     }
-    const int exponent = -std::ilogb(largestComponent(hi_));
+    const int exponent = -std::ilogb(size_);
     const CentredQuadric q = scaledQuadric(q_, 0, exponent);
     Vec3 unit = scaleByPowerOfTwo(local, exponent);
     Vec3 slope = q.halfSlope(unit);
@@ -313,7 +358,7 @@ SurfacePoint Quadric::surface(const PrimitiveHit& hit, SurfaceDetail detail) con
         square = dot(slope, slope);
     }
     const Vec3 normal = square > 0.0 ? unitVector(unitVector(slope)) : Vec3(0.0, 1.0, 0.0);
-    placeSurface(surface, centre_, scaleByPowerOfTwo(unit, -exponent), normal);
+    placeSurface(surface, anchor_, scaleByPowerOfTwo(unit, -exponent), normal);
     const double rounding = gamma(16) * q.magnitude(unit);
     const double steepest = std::max(largestComponent(q.diagonal), largestComponent(q.mixed));
     // At least one of them is finite: a quadric has a slope, or else a curvature.
@@ -321,7 +366,7 @@ SurfacePoint Quadric::surface(const PrimitiveHit& hit, SurfaceDetail detail) con
     const double byBend = steepest > 0.0 ? std::sqrt(rounding / steepest) : kInfinity;
     surface.error =
         std::ldexp(std::min(bySlope, byBend), -exponent) + placementError(surface.point);
-    if (parametrised) layAround(surface, surface.point - centre_, normal);
+    if (parametrised) layAround(surface, (surface.point - anchor_) - 0.5 * (lo_ + hi_), normal);
     return surface;
 }
 

@@ -23,8 +23,8 @@ struct Model {
     double flattest;  ///< least radius of curvature
 
     Quadric solid() const { return Quadric(k, lo, hi); }
-    Vec3 anchor() const { return 0.5 * lo + 0.5 * hi; }
-    Vec3 centre() const { return anchor(); }
+    Vec3 anchor() const { return solid().anchor(); }
+    Vec3 centre() const { return 0.5 * lo + 0.5 * hi; }
     double size() const { return largestOf(hi - lo); }
     Model scaled(double by) const {
         Model other = *this;
@@ -248,6 +248,38 @@ TEST_CASE("a quadric that is far from the origin is as exact as its coefficients
         model.hi += Vec3(0.31, 0.43, -0.17);
         const Vec3 d = draws.unit();
         checkAgainstOracle(model, {draws.inBall(far, 0.9) - 4.0 * d, d}, 8.0);
+    }
+}
+
+TEST_CASE("near a cone's apex a point is as exact as elsewhere, wherever the box's middle is") {
+    const Quadric cone({.xx = 1, .yy = -1, .zz = 1}, Vec3(-1.3, -0.7, -0.2), Vec3(0.9, 1.1, 1.7));
+    for (double h = 0.5; h > 1e-9; h *= 0.37) {
+        CAPTURE(h);
+        PrimitiveHit hit;
+        REQUIRE(cone.intersect({Vec3(0.6 * h, h, 1.0), Vec3(0.0, 0.0, -1.0)}, {}, hit));
+        CHECK(std::fabs(hit.t - (1.0 - 0.8 * h)) <= 4.0 * kUnitRoundoff);
+        const Vec3 expected = Vec3(0.6, -1.0, 0.8) / std::sqrt(2.0);
+        CHECK(glm::length(cone.surface(hit).normal - expected) <= 8.0 * kUnitRoundoff / h);
+    }
+}
+
+TEST_CASE("a ray along one of two planes meets the other as exactly as any") {
+    // x = z / 2 and x = -z / 2.
+    const Quadric planes({.xx = 1, .zz = -0.25}, Vec3(-1.4, 0.2, -1.5), Vec3(1.7, 2.5, 1.1));
+    for (double off = 1e-3; off > 1e-12; off *= 0.23) {
+        CAPTURE(off);
+        const Ray ray{Vec3(-0.4 + 0.4 * off, 0.95, -0.8), Vec3(0.5 + off, 0.55, 1.0)};
+        const Vec3& o = ray.origin;
+        const Vec3& d = ray.direction;
+        const double expected = -(o.x + 0.5 * o.z) / (d.x + 0.5 * d.z);
+        double nearest = kInfinity;
+        Interval rest;
+        PrimitiveHit hit;
+        while (planes.intersect(ray, rest, hit)) {
+            nearest = std::min(nearest, std::fabs(hit.t - expected));
+            rest.min = hit.t;
+        }
+        CHECK(nearest <= 4.0 * kUnitRoundoff);
     }
 }
 

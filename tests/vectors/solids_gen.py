@@ -552,6 +552,16 @@ def close(r):
     return d and (s, mad(p, -s.B * r.uniform(0.05, 1), d), d)
 
 
+def crossed(r):
+    """Nearly along one of two crossed planes, or along a cone, past where they meet."""
+    size = r.uniform(0.5, 2)
+    name = r.choice(("crossed_planes", "crossed_planes", "cone"))
+    s = quadric(r, size, [0.0] * 3, name=name, turned=False)
+    p = [0.0, size * r.uniform(-0.4, 0.4) if name == "crossed_planes" else 0.0, 0.0]
+    d = near_asymptote(r, s, lu(r, -7, -2))
+    return d and (s, mad(mad(p, size * lu(r, -7, -1), unit(r)), -s.B * r.uniform(0.05, 1), d), d)
+
+
 def run_quadric(w):
     common_classes(w, lambda r: quadric(r, *anywhere(r)),
                    lambda r: quadric(r, *somewhere_short(r), turned=False, bits=6))
@@ -559,7 +569,8 @@ def run_quadric(w):
     w.cls("asymptote", asymptote)
     w.cls("shallow", shallow)
     w.cls("apex", apex)
-    w.cls("close", close, 8)
+    w.cls("close", close, 4)
+    w.cls("crossed", crossed, 3)
 
 
 def run_simple(make):

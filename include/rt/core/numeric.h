@@ -174,4 +174,8 @@ inline constexpr double kSimilarityError = 4096 * kUnitRoundoff;
 /// most; longer ones come from grazing rays, which they would not mend.
 inline constexpr double kNewtonReach = 8192 * kUnitRoundoff;
 
+/// Curvatures below this share of a quadric's largest are none when its middle is looked for: the
+/// square of it, which the normal equations see, still stands clear of their roundings.
+inline constexpr double kLeastBend = 0x1p-20;
+
 }  // namespace rt

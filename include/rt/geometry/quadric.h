@@ -4,20 +4,25 @@
 //
 // closed by the faces of the box where q < 0 on them.
 //
-// About the box's centre m, q(m + l) = l . A l + 2 b . l + c', its coefficients formed in twice the
-// precision, once, so that a box far from the origin costs no digits. Along a ray, from its foot
-// near m, q = a s^2 + 2 B s + C. Where the point between the roots, s0 = -B / a, lies near the box,
-// q is evaluated there anew, and the roots are s0 -+ sqrt(-q(s0) / a): no difference of squares of
-// far larger numbers decides whether a ray that grazes is a hit. Else they are those of the
-// quadratic without cancellation. The ray is inside between them (a > 0) or beyond them (a < 0),
-// cut by the box's slabs; a Newton step follows at each point of the quadric.
+// About a point m of the box, q(m + l) = l . A l + 2 b . l + c', its coefficients formed in twice
+// the precision, once, so that a box far from the origin costs no digits. m is where q adds up
+// least: the least solution of A l = -b (Tikhonov's, iterated), which is an ellipsoid's middle, a
+// cone's apex or a point of an axis; the box's centre where that lies beyond the box by more than
+// half of it. So near an apex, or on a quadric much smaller than its box, no digits are lost to
+// what lies far from it. Along a ray, from its foot near m, q = a s^2 + 2 B s + C. Where the point
+// between the roots, s0 = -B / a, lies near the box, q is evaluated there anew, and the roots are
+// s0 -+ sqrt(-q(s0) / a): no difference of squares of far larger numbers decides whether a ray that
+// grazes is a hit. Else they are those of the quadratic without cancellation. The ray is inside
+// between them (a > 0) or beyond them (a < 0), cut by the box's slabs; Newton steps follow at
+// each point of the quadric.
 //
 // Texture: on the quadric u and v are longitude and latitude about the box's centre, as on a
 // sphere; on a face of the box as there.
 //
 // Sources: Levin, A parametric algorithm for drawing pictures of solid objects composed of quadric
 // surfaces, Communications of the ACM 19(10), 1976; Ogita, Rump, Oishi, Accurate sum and dot
-// product, SIAM J. Sci. Comput. 26(6), 2005.
+// product, SIAM J. Sci. Comput. 26(6), 2005; King, Chillingworth, Approximation of generalized
+// inverses by iterated regularization, Numerical Functional Analysis and Optimization 1(5), 1979.
 #pragma once
 
 #include "rt/core/bounds.h"
@@ -40,7 +45,7 @@ struct QuadricCoefficients {
     double c = 0.0;
 };
 
-/// q about the centre: l . A l + 2 b . l + c.
+/// q about a point: l . A l + 2 b . l + c.
 struct CentredQuadric {
     Vec3 diagonal{0.0};  ///< of A
     Vec3 mixed{0.0};     ///< its entries yz, zx, xy
@@ -66,9 +71,11 @@ class Quadric {
     /// (std::invalid_argument).
     Quadric(const QuadricCoefficients& coefficients, const Vec3& lo, const Vec3& hi);
 
+    /// q about the anchor.
     const CentredQuadric& centred() const { return q_; }
+    const Vec3& anchor() const { return anchor_; }
     Bounds bounds() const;
-    /// The nearest crossing in `range`, if any. `hit.local` is relative to the box's centre. Parts:
+    /// The nearest crossing in `range`, if any. `hit.local` is relative to m. Parts:
     /// 0 the quadric, 1 .. 6 the faces -x +x -y +y -z +z.
     [[nodiscard]] bool intersect(const Ray& ray, Interval range, PrimitiveHit& hit) const;
     /// `error` on the quadric is what q's own rounding moves it by: 16 roundings of what `value`
@@ -79,10 +86,11 @@ class Quadric {
 
   private:
     CentredQuadric q_;
-    Vec3 centre_;
-    /// The corners relative to the centre.
+    Vec3 anchor_;  ///< m
+    /// The corners relative to it.
     Vec3 lo_;
     Vec3 hi_;
+    double size_;  ///< the largest of their components
 };
 
 }  // namespace rt
