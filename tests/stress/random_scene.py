@@ -137,15 +137,17 @@ class RandomScene:
 
     def quality(self):
         rng = self.rng
+        if rng.random() < 0.1:
+            return ["--caustics", "--error", "0.05"]  # photons for the default error take most of a minute
         if rng.random() < 0.6:
-            return ["--error", repr(rng.choice((0.003, 0.006, 0.01))), "--max-spp", "256"]
+            return ["--error", repr(rng.choice((0.005, 0.01, 0.02))), "--max-spp", "128"]
         return ["--spp", str(rng.choice((1, 2, 4, 7, 9)))] + (["--sampler", rng.choice(SAMPLERS)] if rng.random() < 0.5 else [])
 
     def ways(self):
         rng = self.rng
         options = ["--seed", str(rng.randrange(10 ** 6))]
         for chance, more in ((0.2, ["--filter", rng.choice(FILTERS)]), (0.15, ["--transfer", "srgb"]), (0.15, ["--bits", "16"]),
-                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]), (0.1, ["--caustics"]),
+                             (0.1, ["--reference", "--max-depth", "4"]), (0.2, ["--aov", "depth,normal,id,uv,samples"]),
                              (0.15, ["--crop", "0,0,40,30"]), (0.1, ["--max-depth", str(rng.randint(0, 4))])):
             if rng.random() < chance:
                 options += more
