@@ -257,15 +257,27 @@ def neighbours(r, gap):
         if k != i:
             second[k] = first[k] + r.choice((0.0, dy(r.uniform(-.2, .2), 6)))
     second[i] = c[i] + gap
-    operation = r.choice(("union", "difference", "difference"))
-    if r.random() < 0.3:                # the second within the first, and its face on the first's
+    inner = r.random() < 0.5            # the second within the first, and its face on the first's
+    if inner:
         second[i] = first[i] + w[i] / 2 + gap
         second[3 + i] = w[i] / 2
+    operation = ("difference" if inner else "union") if r.random() < 0.8 else r.choice(OPERATIONS[::2])
     parts = [(["box"] + [hexf(x) for x in P], S.box(P)) for P in (first, second)]
     if r.random() < 0.3:
         ball = [c[k] - w[k] / 2 for k in range(3)] + [dy(0.4, 6)]
         parts.append((["sphere"] + [hexf(x) for x in ball], S.sphere(ball)))
-    return whole(*combine(operation, parts), c, max(w))
+    s = whole(*combine(operation, parts), c, max(w))
+    s.extra = first, i, inner
+    return s
+
+
+def across(r, s):
+    """Through the face between: from within the first of two side by side, from beyond where one is in the other."""
+    first, i, inner = s.extra
+    p = [first[k] + first[3 + k] * r.uniform(0.05, 0.95) for k in range(3)]
+    d = [r.uniform(-.4, .4) for _ in range(3)]
+    d[i] = r.choice((-1.0, 1.0, 1.0, 1.0)) * (-1 if inner else 1)
+    return s, mad(p, -3 * s.B if inner else 0, d), norm(d)
 
 
 # --- rays
@@ -621,6 +633,18 @@ def run_heights(w):
     w.cls("flat", lambda r: (lambda s: (s, *aimed(r, s, r.uniform(1.2, 5), 0.7)))(height_field(r, kind="flat")))
 
 
+def rings(r, size, c):
+    """From between crossings of a line with four or more."""
+    s = csg(r, size, c, depth=1, kinds=("torus", "torus", "quadric"))
+    for _ in range(20):
+        o, d = aimed(r, s, r.uniform(1.2, 6), 0.8, tries=1)
+        hits = hits_of(s, o, d)
+        if len(hits) >= 4:
+            i = r.randrange(len(hits) - 1)
+            a, b = O.fl(hits[i].t.b), O.fl(hits[i + 1].t.b)
+            return s, mad(o, a + (b - a) * r.uniform(0.1, 0.9), d), d
+
+
 def run_csg(w):
     where = lambda r: (dy(r.uniform(0.5, 2), 6), [dy(r.uniform(-4, 4), 6) for _ in range(3)])
     common_classes(w, lambda r: csg(r, *where(r)),
@@ -639,8 +663,9 @@ def run_csg(w):
     w.cls("depth3", through(lambda r: csg(r, *where(r), depth=3)))
     w.cls("meshes", through(lambda r: csg(r, *where(r), kinds=("mesh", "mesh", "height_field", "box"))))
     w.cls("shell", through(shell))
-    w.cls("shared", through(lambda r: neighbours(r, 0.0)))
-    w.cls("near", through(lambda r: neighbours(r, r.choice((-1, 1)) * lu(r, -10, -3))))
+    w.cls("shared", lambda r: across(r, neighbours(r, 0.0)))
+    w.cls("rings", lambda r: rings(r, *where(r)))
+    w.cls("near", lambda r: across(r, neighbours(r, r.choice((-1, 1)) * lu(r, -10, -3))))
 
 
 RUNS = {"quadric": run_quadric, "csg": run_csg, "height_field": run_heights, "frustum": run_simple(frustum),
