@@ -58,6 +58,10 @@ class Builder {
         shape->rounding = whole.rounding;
         shape->convex = isConvex(whole, *shape);
         shape->thickness = thickness(whole, *shape);
+        shape->partThickness = kInfinity;
+        for (const CsgLeaf& leaf : shape->leaves) {
+            shape->partThickness = std::min(shape->partThickness, leafThickness(leaf));
+        }
         built.shape = std::move(shape);
         built.looks = std::move(looks_);
         return built;

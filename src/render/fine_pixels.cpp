@@ -3,6 +3,7 @@
 #include "sharp_points.h"
 
 #include "rt/math/portable.h"
+#include "rt/trace/csg_shape.h"
 #include "rt/trace/probe.h"
 
 #include <algorithm>
@@ -211,11 +212,10 @@ void markTip(const Camera& camera, const Instance& instance, const Tip& tip, con
 }
 
 /// Marks the pixels about the corners of an outline, which may lie between the corners of pixels.
-void markSharpPoints(const RenderScene& scene, const Instance& instance, const Tile& area,
-                     std::vector<Vec3>& sharp, std::vector<bool>& fine) {
-    sharp.clear();
-    addSharpPoints(scene.shapes[instance.shape],
-                   instance.transform.toObject().point(scene.camera.eye()), sharp);
+void markSharpPoints(const RenderScene& scene, const Shape& shape, const Instance& instance,
+                     const Tile& area, std::vector<bool>& fine) {
+    std::vector<Vec3> sharp;
+    addSharpPoints(shape, instance.transform.toObject().point(scene.camera.eye()), sharp);
     for (const Vec3& point : sharp) {
         Vec2 at;
         if (!project(scene.camera, instance, point, at)) continue;
@@ -224,10 +224,58 @@ void markSharpPoints(const RenderScene& scene, const Instance& instance, const T
     }
 }
 
-/// What is left of solids that were cut may be as narrow as it likes.
-bool isCut(const Shape& shape) {
-    return std::holds_alternative<std::shared_ptr<const CsgShape>>(shape) ||
-           std::holds_alternative<Quadric>(shape);
+void markCombined(const RenderScene& scene, const Instance& instance, const CsgShape& csg,
+                  const Tile& area, std::vector<bool>& fine);
+
+/// Of a shape with the place of an instance.
+void markShape(const RenderScene& scene, const Shape& shape, const Instance& instance,
+               const Tile& area, std::vector<bool>& fine) {
+    if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape)) {
+        return markCombined(scene, instance, **csg, area, fine);
+    }
+    markSharpPoints(scene, shape, instance, area, fine);
+    if (const auto* cone = std::get_if<Cone>(&shape)) {
+        markTip(scene.camera, instance, tipOf(*cone), area, fine);
+    } else if (const auto* frustum = std::get_if<Frustum>(&shape)) {
+        markTip(scene.camera, instance, tipOf(*frustum), area, fine);
+    }
+    std::array<Vec2, 8> points;
+    if (!project(scene.camera, instance, boundsOf(shape), points)) return;
+    // What a box leaves of a quadric may be as narrow as it likes.
+    if (std::holds_alternative<Quadric>(shape)) return mark(points, kEverywhere, area, fine);
+    const Strip strip = narrowest(points);
+    if (strip.width() < kNarrowPixels) {
+        mark(points, strip, area, fine);
+    } else if (const auto* torus = std::get_if<Torus>(&shape)) {
+        markNarrowTube(scene, instance, *torus, area, fine);
+    } else if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape)) {
+        markLeaves(scene, instance, (*mesh)->mesh, points, area, fine);
+    }
+}
+
+/// What its parts alone hide between corners, seen or not; where parts begin, end and change
+/// places the corners tell (csg_signature.h).
+void markCombined(const RenderScene& scene, const Instance& instance, const CsgShape& csg,
+                  const Tile& area, std::vector<bool>& fine) {
+    std::array<Vec2, 8> points;
+    for (const CsgNode& node : csg.nodes) {
+        const bool inView = project(scene.camera, instance, node.box.bounds(), points);
+        if (node.leaf == kNone) {
+            if (!inView) continue;
+            const Strip strip = narrowest(points);
+            if (strip.width() < kNarrowPixels) mark(points, strip, area, fine);
+            continue;
+        }
+        const CsgLeaf& leaf = csg.leaves[node.leaf];
+        Instance placed = instance;
+        if (Transform::make(compose(instance.transform.toWorld(), leaf.transform.toWorld()),
+                            placed.transform)) {
+            placed.objectScale = placed.transform.similarityToObject();
+            markShape(scene, leaf.shape, placed, area, fine);
+        } else if (inView) {
+            mark(points, kEverywhere, area, fine);
+        }
+    }
 }
 
 }  // namespace
@@ -235,29 +283,8 @@ bool isCut(const Shape& shape) {
 std::vector<bool> finePixels(const RenderScene& scene, const Tile& area) {
     std::vector<bool> fine(static_cast<std::size_t>(area.width()) *
                            static_cast<std::size_t>(area.height()));
-    std::vector<Vec3> sharp;
     for (const Instance& instance : scene.instances) {
-        const Shape& shape = scene.shapes[instance.shape];
-        markSharpPoints(scene, instance, area, sharp, fine);
-        if (const auto* cone = std::get_if<Cone>(&shape)) {
-            markTip(scene.camera, instance, tipOf(*cone), area, fine);
-        } else if (const auto* frustum = std::get_if<Frustum>(&shape)) {
-            markTip(scene.camera, instance, tipOf(*frustum), area, fine);
-        }
-        std::array<Vec2, 8> points;
-        if (!project(scene.camera, instance, boundsOf(shape), points)) continue;
-        if (isCut(shape)) {
-            mark(points, kEverywhere, area, fine);
-            continue;
-        }
-        const Strip strip = narrowest(points);
-        if (strip.width() < kNarrowPixels) {
-            mark(points, strip, area, fine);
-        } else if (const auto* torus = std::get_if<Torus>(&shape)) {
-            markNarrowTube(scene, instance, *torus, area, fine);
-        } else if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&shape)) {
-            markLeaves(scene, instance, (*mesh)->mesh, points, area, fine);
-        }
+        markShape(scene, scene.shapes[instance.shape], instance, area, fine);
     }
     return fine;
 }

@@ -93,8 +93,9 @@ struct Adder {
         addTangentPoints(rim, eye.x - apex.x, eye.z - apex.z, atEye, points);
     }
 
-    // Of these all pixels are fine.
+    // Its parts have theirs, but corners of pixels tell where those meet.
     void operator()(const std::shared_ptr<const CsgShape>&) const {}
+    // Of these all pixels are fine.
     void operator()(const Quadric&) const {}
 
     void operator()(const std::shared_ptr<const MeshShape>& shape) const {

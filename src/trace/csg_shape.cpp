@@ -1,7 +1,6 @@
 #include "rt/trace/csg_shape.h"
 
 #include "csg_crossings.h"
-#include "rt/accel/traverse.h"
 #include "scene_intersect.h"
 #include "with_shape.h"
 
@@ -44,7 +43,7 @@ class Gatherer {
         double end = kInfinity;
         bool inside = false;
         const Index place = meet(0, kNone);
-        visit(csg_.crowds[csg_.nodes[0].crowd], range_, [&](Index child, Interval now) {
+        visitCrowd(csg_.crowds[csg_.nodes[0].crowd], ray_, range_, [&](Index child, Interval now) {
             const std::size_t before = out_.crossings.size();
             range_.max = now.max;
             if (!gather(child, place) || csg_.nodes[child].leaf == kNone) return now.max;
@@ -73,12 +72,6 @@ class Gatherer {
         return static_cast<Index>(out_.nodes.size() - 1);
     }
 
-    template <class Test>
-    void visit(const CsgCrowd& crowd, Interval range, const Test& test) const {
-        traverseClosest(crowd.tree, ray_, range,
-                        [&](Index item, Interval now) { return test(crowd.children[item], now); });
-    }
-
     /// Whether the line may be inside the solid that the node stands for.
     bool gather(Index index, Index parent) {
         const CsgNode& node = csg_.nodes[index];
@@ -99,7 +92,7 @@ class Gatherer {
     bool gatherChildren(Index index, Index place) {
         const CsgNode& node = csg_.nodes[index];
         if (slabs_ && node.crowd != kNone) {
-            visit(csg_.crowds[node.crowd], range_, [&](Index child, Interval now) {
+            visitCrowd(csg_.crowds[node.crowd], ray_, range_, [&](Index child, Interval now) {
                 gather(child, place);
                 return now.max;
             });

@@ -274,13 +274,20 @@ Obstacle LastBlocker::obstacle(const RenderScene& scene, const Ray& ray, Interva
 
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings) {
-    visitUntil(scene, ray, range, [&](Index item) {
+    forEachMet(scene, ray, range, [&](Index item) {
         Interval rest = range;
         PrimitiveHit found;
         while (intersectInstance(scene, item, ray, rest, found)) {
             crossings.push_back({found, item});
             rest.min = found.t;
         }
+    });
+}
+
+void forEachMet(const RenderScene& scene, const Ray& ray, Interval range,
+                const std::function<void(Index)>& use) {
+    visitUntil(scene, ray, range, [&](Index item) {
+        use(item);
         return false;
     });
 }

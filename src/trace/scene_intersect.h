@@ -4,6 +4,7 @@
 #include "rt/trace/trace_kernel.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rt {
@@ -51,6 +52,11 @@ class LastBlocker {
 /// Every crossing in the range, of any instance, in no particular order.
 void allCrossings(const RenderScene& scene, const Ray& ray, Interval range,
                   std::vector<SceneHit>& crossings);
+
+/// Calls use(instance) for those whose boxes the ray may meet in the range, in no particular order,
+/// and, by rounding, for some that it passes by.
+void forEachMet(const RenderScene& scene, const Ray& ray, Interval range,
+                const std::function<void(Index)>& use);
 
 /// The nearest hit of a placed shape, and the unit geometric normal there, in world space.
 bool intersectShape(const Shape& shape, const Transform& transform, const Ray& ray, Interval range,

@@ -45,6 +45,19 @@ struct NameOf {
 /// Sheets have an extent of 0, which would say that nothing is known.
 constexpr double kThinnest = std::numeric_limits<double>::min();
 
+double thicknessOf(const RenderScene& scene, const Instance& instance, double CsgShape::*ofCsg) {
+    const Shape& shape = scene.shapes[instance.shape];
+    const bool isMesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
+    if (isMesh || !kindOf(shape).bounded) return kInfinity;
+    if (!(instance.objectScale > 0.0)) return 0.0;
+    if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape)) {
+        return std::max((**csg).*ofCsg, kThinnest) / instance.objectScale;
+    }
+    if (std::holds_alternative<Quadric>(shape)) return kThinnest;
+    const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
+    return std::max(std::min({size.x, size.y, size.z}), kThinnest) / instance.objectScale;
+}
+
 }  // namespace
 
 const char* nameOf(const Shape& shape) {
@@ -60,16 +73,11 @@ Bounds boundsOf(const Shape& shape) {
 }
 
 double thicknessOf(const RenderScene& scene, const Instance& instance) {
-    const Shape& shape = scene.shapes[instance.shape];
-    const bool isMesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(shape);
-    if (isMesh || !kindOf(shape).bounded) return kInfinity;
-    if (!(instance.objectScale > 0.0)) return 0.0;
-    if (const auto* csg = std::get_if<std::shared_ptr<const CsgShape>>(&shape)) {
-        return std::max((*csg)->thickness, kThinnest) / instance.objectScale;
-    }
-    if (std::holds_alternative<Quadric>(shape)) return kThinnest;
-    const Vec3 size = scene.shapeBoxes[instance.shape].bounds().extent();
-    return std::max(std::min({size.x, size.y, size.z}), kThinnest) / instance.objectScale;
+    return thicknessOf(scene, instance, &CsgShape::thickness);
+}
+
+double partThicknessOf(const RenderScene& scene, const Instance& instance) {
+    return thicknessOf(scene, instance, &CsgShape::partThickness);
 }
 
 }  // namespace rt

@@ -192,6 +192,8 @@ class Tracer {
     ShadowHull hullTowards(const Light& light, const LightView& view, const Vec3& from,
                            double margin) const;
     double wayOut(const Vec3& from) const;
+    /// What is left of combined solids along the camera's ray.
+    void noteParts(const Path& path, double reach, ProbeSum& sum) const;
     void markNarrow(const Path& path, double distance, ProbeSum& sum) const;
     double footprint(const Path& path, const ShadePoint& point) const;
     bool allOpaque(const Occluders& occluders) const;

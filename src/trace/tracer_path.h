@@ -89,7 +89,9 @@ void Tracer<Features>::follow(Path path, Sum& sum) {
     for (;;) {
         if constexpr (kTells) tellRay(path);
         SceneHit hit;
-        if (!nextHit(path.ray, path.media, {}, hit)) {
+        const bool met = nextHit(path.ray, path.media, {}, hit);
+        if constexpr (std::is_same_v<Sum, ProbeSum>) noteParts(path, hit.at.t, sum);
+        if (!met) {
             addMiss(path, sum);
             return;
         }

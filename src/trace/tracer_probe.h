@@ -2,6 +2,7 @@
 // that lies between can do so, and enter in closed form; only the others are sampled.
 #pragma once
 
+#include "csg_signature.h"
 #include "light_mean.h"
 #include "rt/sampling/warp.h"
 #include "rt/trace/csg_shape.h"
@@ -80,6 +81,13 @@ void Tracer<Features>::look(const Vec2& at, int spacing, std::uint32_t end, Prob
     probe.half = probe.sum + glm::vec3(sum.first);
     probe.sum += glm::vec3(sum.first + sum.second);
     probe.samples = end;
+}
+
+template <unsigned Features>
+void Tracer<Features>::noteParts(const Path& path, double reach, ProbeSum& sum) const {
+    if (!(scene_.features & kFeatureCsg) || path.depth > 0) return;
+    std::uint64_t& surfaces = sum.evidence->surfaces;
+    surfaces = subKey(surfaces, csgSignature(scene_, path.ray, {0.0, reach}));
 }
 
 /// Marks what is seen in mirrors or through glass where something narrow lies so near the ray that
@@ -225,7 +233,7 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
     } else if (!occluders.overflow && view->distance > light.radius && allOpaque(occluders)) {
         for (unsigned i = 0; i < occluders.count; ++i) {
-            if (thicknessOf(scene_, scene_.instances[occluders.items[i]]) < 2.0 * margin) {
+            if (partThicknessOf(scene_, scene_.instances[occluders.items[i]]) < 2.0 * margin) {
                 sum.evidence->marks |= kProbeDetail;
             }
         }
@@ -240,6 +248,12 @@ void Tracer<Features>::probeLight(Index index, const Path& path, double own, con
         }
     }
     sum.evidence->marks |= kProbeUncertain;
+    if ((scene_.features & kFeatureCsg) && view->isPoint()) {
+        const LightRay ray = view->onlyRay();
+        const Ray towards{point.leave(point.position, ray.w), ray.w};
+        const std::uint64_t parts = csgSignature(scene_, towards, {0.0, view->reach(ray)});
+        if (parts != 0) sum.evidence->surfaces = subKey(sum.evidence->surfaces, parts);
+    }
     const Share visible = probeOccluded(index, *view, occluders, path, own, point, sum);
     if (view->isPoint()) {
         (largestOf(visible) > 0.0 ? sum.evidence->lit : sum.evidence->dark) |= bit;

@@ -261,3 +261,30 @@ TEST_CASE("pictures of combined solids keep their error") {
         checkErrorIsKept(shot, 256, {0.004, 0.012});
     }
 }
+
+TEST_CASE("what is left of combined solids keeps its error where it is thinner than a pixel") {
+    const std::string solids[] = {
+        // A shell that is cut open, a lens, a fin, and what slots and a drill leave of a box.
+        "gr.difference('s', gr.nh_sphere('a', {0,0,0}, 0.8), gr.nh_sphere('b', {0,0,0}, 0.79), "
+        "gr.nh_box('c', {-2, 0.1, -2}, {4, 4, 4}))",
+        "gr.intersection('l', gr.nh_sphere('a', {0,0,3}, 3.02), gr.nh_sphere('b', {0,0,-3}, 3.02))",
+        "gr.intersection('f', gr.nh_box('a', {-1,-0.5,0}, {2, 1, 2}), "
+        "gr.nh_box('b', {-1,-0.8,-1.99}, {2, 1.6, 2}))",
+        "gr.difference('d', gr.nh_box('a', {-0.6,-0.6,-0.6}, 1.2), "
+        "gr.nh_box('b', {-0.3,-1,-1}, {0.02, 2, 2}), gr.nh_cylinder('c', {0.2,-1,0.2}, 3, 0.01), "
+        "gr.nh_sphere('g', {0.2, 0.1, 1.595}, 1))"};
+    for (const double radius : {0.0, 1.0}) {
+        std::string body = "lights[1] = gr.light({4, 9, 7}, {0.8, 0.8, 0.8}, {1, 0, 0}, " +
+                           std::to_string(radius) + ")\nlocal it\n";
+        for (int i = 0; i < 12; ++i) {
+            body += "it = put(" + solids[i % 4] + ", red) it:scale(0.6, 0.6, 0.6) it:rotate('x', " +
+                    std::to_string(37 * i) + ") it:rotate('z', " + std::to_string(71 * i + 20) +
+                    ") it:translate(" + std::to_string(i % 4 - 1.5) + ", " +
+                    std::to_string(i / 4 - 1) + ", 0)\n";
+        }
+        Shot shot = shotOf(body);
+        shot.width = 64;
+        shot.height = 48;
+        checkErrorIsKept(shot, 1024, {0.01, 0.005, 0.002}, 77.0, 5);
+    }
+}

@@ -21,9 +21,10 @@ inline double clippedRmse(const Picture& a, const Picture& b) {
     return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
-/// Against the slow truth of so many samples a pixel. With a seed of its own it shares no photon.
+/// Against the slow truth of so many samples a pixel, for so many seeds. With a seed of its own the
+/// truth shares no photon.
 inline void checkErrorIsKept(const Shot& shot, int samples, std::initializer_list<double> errors,
-                             double truthSeed = 0.0) {
+                             double truthSeed = 0.0, int seeds = 1) {
     PictureSettings truth;
     truth.options.reference = true;
     truth.options.spp = samples;
@@ -32,11 +33,15 @@ inline void checkErrorIsKept(const Shot& shot, int samples, std::initializer_lis
     for (const double error : errors) {
         CAPTURE(shot.body);
         CAPTURE(error);
-        PictureSettings adaptive;
-        adaptive.options.error = error;
-        const Picture found = renderScript(shot.script(), adaptive);
-        CHECK(found.converged);
-        CHECK(clippedRmse(found, right) < 1.2 * error);
+        for (int seed = 0; seed < seeds; ++seed) {
+            CAPTURE(seed);
+            PictureSettings adaptive;
+            adaptive.options.error = error;
+            adaptive.options.seed = seed;
+            const Picture found = renderScript(shot.script(), adaptive);
+            CHECK(found.converged);
+            CHECK(clippedRmse(found, right) < 1.2 * error);
+        }
     }
 }
 

@@ -123,3 +123,19 @@ TEST_CASE("a round outline marks nothing, a narrow thing all of its pixels") {
     CHECK(rod.hidden > 0);
     CHECK(rod.unmarked == 0);
 }
+
+TEST_CASE("a combined solid marks what its parts alone would hide, seen or not") {
+    const std::string ball = "gr.nh_sphere('a', {0, 0, 0}, 1.5)";
+    const auto marked = [](const std::string& solid) {
+        return missedIn(compiledSolid(solid, {0, 0, 30}, 1.0)).marked;
+    };
+    CHECK(marked("gr.difference('s', " + ball + ", gr.nh_sphere('b', {0.5, 0.5, 1}, 1))") == 0);
+    const std::string rod = "gr.nh_cylinder('r', {0, -2, 0}, 4, 0.02)";
+    const std::string box = "gr.nh_box('b', {-0.5, -0.5, -3}, {1, 1, 9})";
+    CHECK(marked(rod) > 0);
+    CHECK(marked("gr.difference('s', " + ball + ", " + rod + ")") == marked(rod));
+    CHECK(marked("gr.union('s', " + ball + ", " + box + ")") == marked(box));
+    // What two thick parts share, if its box is narrow.
+    CHECK(marked("gr.intersection('s', gr.nh_box('a', {-1, 0, -1}, 2), gr.nh_box('b', "
+                 "{-1, -1.95, -1}, 2))") > 20);
+}

@@ -1,6 +1,7 @@
 // Combined solids against what the words mean: a point is in them where it is in their parts as the
 // expression says, and a line crosses them where that changes. Which points are in a part is asked
 // of formulas of the test's own, in the part's own space.
+#include "trace/csg_signature.h"
 #include "trace/scene_intersect.h"
 
 #include "rt/compile/compile.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -482,4 +484,42 @@ TEST_CASE("a line along an edge or through a corner keeps count of inside and ou
     REQUIRE(hits.size() == 2);
     CHECK(hits[0].t == 8.0);
     CHECK(hits[1].t == 10.0);
+}
+
+TEST_CASE("rays of one signature cross the same of a combined solid in the same order") {
+    Draws draws(12);
+    int again = 0;
+    for (int i = 0; i < 30; ++i) {
+        const Solid solid = expression(draws, 2 + draws.below(2));
+        CAPTURE(solid.script);
+        const RenderScene scene = sceneOf(solid.script);
+        std::map<std::uint64_t, std::vector<Index>> seen;
+        for (int k = 0; k < 400; ++k) {
+            const Vec3 direction = glm::normalize(draws.vector(1.0));
+            const Ray ray{draws.vector(1.2) - 9.0 * direction, direction};
+            std::vector<Index> leaves;
+            for (const PrimitiveHit& hit : crossings(scene, ray)) leaves.push_back(hit.leaf);
+            const auto [entry, added] =
+                seen.try_emplace(csgSignature(scene, ray, {0.0, kInfinity}), leaves);
+            CHECK(entry->second == leaves);
+            again += added ? 0 : 1;
+        }
+    }
+    CHECK(again > 2000);
+}
+
+TEST_CASE("a signature tells the sides of what two parts share, and ends with the range") {
+    const RenderScene lens = sceneOf(
+        "gr.intersection('i', gr.nh_sphere('a', {-0.9, 0, 0}, 1), gr.nh_sphere('b', {0.9, 0, 0}, "
+        "1), gr.nh_box('c', {-9, -9, -9}, 18))");
+    const auto through = [&](double x, double reach) {
+        const Ray ray{Vec3(x, 0.0, 5.0), Vec3(0.0, 0.0, -1.0)};
+        return csgSignature(lens, ray, {0.0, reach});
+    };
+    CHECK(through(-0.099, kInfinity) != through(0.099, kInfinity));
+    CHECK(through(-0.099, kInfinity) == through(-0.09, kInfinity));
+    CHECK(through(0.5, kInfinity) == 0);
+    CHECK(through(0.0, 4.0) == 0);
+    CHECK(through(0.0, 5.0) != 0);
+    CHECK(through(0.0, 5.0) != through(0.0, kInfinity));
 }

@@ -59,6 +59,8 @@ struct CsgShape {
     bool convex = false;
     /// The least extent of its parts, in its own space; 0 where nothing is known of it.
     double thickness = 0.0;
+    /// The same, however little is left of its parts.
+    double partThickness = 0.0;
 };
 
 /// The whole's nearest crossing in `range`; `hit` is one of the leaf that is seen there.

@@ -123,5 +123,7 @@ struct RenderScene {
 /// The least extent of an instance in its own axes, in the world: infinite for meshes, of whose
 /// parts it says nothing, and for what is unbounded; 0 where lengths depend on the direction.
 double thicknessOf(const RenderScene& scene, const Instance& instance);
+/// The same of what is whole: of a combined solid, its parts.
+double partThicknessOf(const RenderScene& scene, const Instance& instance);
 
 }  // namespace rt

@@ -122,4 +122,27 @@ def holes(_):
                 view="{0, -0.22, -1}", ambient=0.05)
 
 
-SCENES = {f.__name__: f for f in (rods, highlights, checker, boxes, far_tori, foliage, fence, mirror_grid, holes)}
+def shells(_):
+    """what is left of combined solids, most of it thinner than a pixel: cut shells, lenses, fins, slots, tubes"""
+    rng = random.Random(9)
+    ball, box, rod = ("gr.nh_%s('p', {%%g, %%g, %%g}, %s)" % kind for kind in
+                      (("sphere", "%g"), ("box", "{%g, %g, %g}"), ("cylinder", "%g, %g")))
+    lines = [FLOOR, "local pale = gr.material({0.9, 0.85, 0.7}, {0.2, 0.2, 0.2}, 50)",
+             "local red = gr.material({0.8, 0.3, 0.2}, {0.3, 0.3, 0.3}, 20)"]
+    for i in range(45):
+        thin = 0.004 * 2 ** rng.uniform(0, 4)
+        call, parts = (
+            ("difference", [ball % (0, 0, 0, 0.8), ball % (0, 0, 0, 0.8 - thin), box % (-2, 0.1, -2, 4, 4, 4)]),
+            ("intersection", [ball % (0, 0, 3, 3 + thin), ball % (0, 0, -3, 3 + thin)]),
+            ("intersection", [box % (-1, -0.5, 0, 2, 1, 2), box % (-1, -0.8, thin - 2, 2, 1.6, 2)]),
+            ("difference", [box % (-0.6, -0.6, -0.6, 1.2, 1.2, 1.2), box % (-0.3, -1, -1, 2 * thin, 2, 2),
+                            ball % (0.2, 0.1, 1.595, 1), rod % (0.2, -1, 0.2, 3, thin)]),
+            ("difference", [rod % (0, -0.8, 0, 1.6, 0.5), rod % (0, -1, 0, 2, 0.5 - thin)]))[i % 5]
+        lines.append("do local n = gr.%s('n', %s); n:rotate('x', %.2f); n:rotate('z', %.2f); n:translate(%.2f, 1, %.2f); "
+                     "root:add_child(n, %s) end" % (call, ", ".join(parts), rng.uniform(0, 360), rng.uniform(0, 360),
+                                                    1.6 * (i % 9 - 4), 3 - 1.8 * (i // 9), rng.choice(["pale", "red"])))
+    return shot(lines, SOFT)
+
+
+SCENES = {f.__name__: f for f in (rods, highlights, checker, boxes, far_tori, foliage, fence, mirror_grid, holes,
+                                  shells)}
