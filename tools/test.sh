@@ -41,8 +41,8 @@ check "bad input and faults" python3 tests/faults/run.py ./Project
 check "failing allocations" python3 tests/faults/allocations.py ./Project --step 7
 check "golden images" ./Project golden tests/golden --report build/golden_report
 check "planted faults" python3 tests/golden/planted_faults.py ./Project
-check "stress, 60 seconds of fresh cases" python3 tests/stress/run.py --seconds 60
-check "soak, random scenes" python3 tests/stress/soak.py --scenes 60
+check "stress, 30 seconds of fresh cases" python3 tests/stress/run.py --seconds 30
+check "soak, random scenes" python3 tests/stress/soak.py --scenes 40
 check "killed renders" python3 tests/stress/resume_kills.py --kills 8
 if [ "${1:-}" != --quick ]; then
     check "build (address and undefined behaviour sanitizers)" \
@@ -53,7 +53,7 @@ if [ "${1:-}" != --quick ]; then
         sanitized python3 tests/end_to_end/run.py build/sanitize/Project
     check "bad input and faults, sanitized" \
         sanitized python3 tests/faults/run.py build/sanitize/Project
-    check "soak, sanitized" python3 tests/stress/soak.py --scenes 15 --project build/sanitize/Project
+    check "soak, sanitized" python3 tests/stress/soak.py --scenes 10 --project build/sanitize/Project
     check "build (thread sanitizer)" sh tools/build.sh threads Project
     check "rendering, thread-sanitized" sanitized python3 tests/end_to_end/run.py \
         build/threads/Project --only threads
