@@ -136,6 +136,6 @@ TEST_CASE("a combined solid marks what its parts alone would hide, seen or not")
     CHECK(marked("gr.difference('s', " + ball + ", " + rod + ")") == marked(rod));
     CHECK(marked("gr.union('s', " + ball + ", " + box + ")") == marked(box));
     // What two thick parts share, if its box is narrow.
-    CHECK(marked("gr.intersection('s', gr.nh_box('a', {-1, 0, -1}, 2), gr.nh_box('b', "
-                 "{-1, -1.95, -1}, 2))") > 20);
+    CHECK(marked("gr.intersection('s', gr.nh_sphere('a', {0, -3, 0}, 3.02), gr.nh_sphere('b', "
+                 "{0, 3, 0}, 3.02))") > 20);
 }
